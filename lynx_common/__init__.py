@@ -1,0 +1,1 @@
+"""What the notebooks of the robot kinematics course share: two robots, and the course around them."""

@@ -79,8 +79,7 @@ def _real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
         raise InputError(f"Real numbers are expected for {_named(symbols)}; complex ones were given.")
     if x.ndim == 0 or x.shape[-1] != len(symbols):
         raise InputError(
-            f"The last axis must hold the {len(symbols)} values {_named(symbols)}; "
-            f"the shape given is {x.shape}."
+            f"The last axis must hold the {len(symbols)} values {_named(symbols)}; the shape given is {x.shape}."
         )
     return x.astype(float, copy=False)
 

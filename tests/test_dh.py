@@ -10,9 +10,7 @@ a, alpha, d, theta = ROW
 
 def test_the_standard_link_is_report_equation_1_1():
     c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
-    printed = sp.Matrix(
-        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
-    )
+    printed = sp.Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
     assert dh.standard(dh.Row(*ROW)) == printed
 
 

@@ -86,9 +86,7 @@ def test_a_symbol_that_no_vector_lists_is_named():
 def test_the_same_expression_is_compiled_once_and_not_before_its_first_call(monkeypatch):
     compiled = []
     original = sp.lambdify
-    monkeypatch.setattr(
-        sp, "lambdify", lambda *args, **kwargs: compiled.append(1) or original(*args, **kwargs)
-    )
+    monkeypatch.setattr(sp, "lambdify", lambda *args, **kwargs: compiled.append(1) or original(*args, **kwargs))
     expr = sp.tan(a) * sp.Integer(time.time_ns())  # an expression that nobody compiled before
     f = numeric(expr, (a,))
     assert not compiled

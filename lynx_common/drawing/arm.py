@@ -1,0 +1,115 @@
+"""The Lynxmotion arm in space and seen square to its own plane.
+
+Each drawing is a few polylines, so that a moving picture can update them (``move``) and need not draw anew.
+"""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from mpl_toolkits.mplot3d import Axes3D
+from mpl_toolkits.mplot3d.proj3d import proj_transform
+
+from .. import arm
+from .style import COLOURS
+
+# Where the names of the joints are written beside them, in points.
+JOINT_LABELS = {
+    "base": (12, 2),
+    "shoulder": (12, -5),
+    "elbow": (-12, 8),
+    "wrist": (0, 12),
+    "gripper": (0, -24),
+}
+
+
+def arm_3d(ax: Axes3D, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
+    """Links and gripper for joint angles ``q``, (5,) radians; returns the lines, for ``move``."""
+    links, fork = _polylines(q, geometry)
+    style = {"color": COLOURS["link"]} | style
+    return [
+        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
+        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
+    ]
+
+
+def arm_side_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
+    """The same, seen square to the arm's own plane: distance along the arm's azimuth, and height, in metres."""
+    links, fork = (_in_plane(points, q) for points in _polylines(q, geometry))
+    style = {"color": COLOURS["link"]} | style
+    ax.set(xlabel="r, along the arm [m]", ylabel="z [m]", aspect="equal")
+    return [
+        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
+        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
+    ]
+
+
+def frames_3d(ax: Axes3D, T: np.ndarray, length: float = 0.06) -> list[Line2D]:
+    """The axes of frames ``T``, (n, 4, 4): x, y and z in their colours; returns the three lines, for ``move``."""
+    return [
+        ax.plot(*points.T, color=COLOURS[axis], linewidth=2)[0]
+        for axis, points in zip("xyz", _axes_polylines(T, length), strict=True)
+    ]
+
+
+def frames_side_view(ax: Axes, T: np.ndarray, q: np.ndarray, length: float = 0.06) -> list[Line2D]:
+    """The same, seen square to the plane of the arm at ``q``; an axis that points at the reader has no length."""
+    return [
+        ax.plot(*_in_plane(points, q).T, color=COLOURS[axis], linewidth=2)[0]
+        for axis, points in zip("xyz", _axes_polylines(T, length), strict=True)
+    ]
+
+
+def move(
+    lines_3d: list[Line2D],
+    lines_side: list[Line2D],
+    q: np.ndarray,
+    geometry: arm.Geometry = arm.LYNX,
+    frames: np.ndarray | None = None,
+    length: float = 0.06,
+) -> None:
+    """Bring the lines of an arm, or with ``frames`` those of its frames, to the joint angles ``q``."""
+    polylines = _polylines(q, geometry) if frames is None else _axes_polylines(frames, length)
+    for spatial, flat, points in zip(lines_3d, lines_side, polylines, strict=True):
+        spatial.set_data_3d(*points.T)
+        flat.set_data(*_in_plane(points, q).T)
+
+
+def label_joints(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> None:
+    """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set."""
+    points = arm.joint_positions(q, geometry)
+    places = np.transpose(proj_transform(*points.T, ax.get_proj()))[:, :2] if isinstance(ax, Axes3D) else None
+    places = _in_plane(points, q) if places is None else places
+    for (name, offset), place in zip(JOINT_LABELS.items(), places, strict=True):
+        side = {-1: "right", 0: "center", 1: "left"}[np.sign(offset[0])]
+        ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)
+
+
+def gripper(T: np.ndarray, size: float) -> np.ndarray:
+    """A fork of two fingers, (5, 3), whose tips lie on either side of the origin of the frame ``T`` (4, 4).
+
+    The fingers point along z and are opened along x, so that the roll shows.
+    """
+    half, tip = size / 2 * T[:3, 0], T[:3, 3]
+    palm = tip - size * T[:3, 2]
+    return np.array([tip - half, palm - half, palm, palm + half, tip + half])
+
+
+def _polylines(q: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
+    return [
+        arm.joint_positions(q, geometry),
+        gripper(arm.forward_kinematics(q, geometry), 0.06 * sum(geometry)),
+    ]
+
+
+def _axes_polylines(T: np.ndarray, length: float) -> list[np.ndarray]:
+    """For x, y and z: the axes of all frames as one polyline, broken by NaN between frames."""
+    origin = T[:, :3, 3]
+    gap = np.full_like(origin, np.nan)
+    ends = [origin + length * T[:, :3, i] for i in range(3)]
+    return [np.stack([origin, end, gap], axis=1).reshape(-1, 3) for end in ends]
+
+
+def _in_plane(points: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """(..., 3) to (..., 2): along the azimuth of the arm, and up."""
+    along = points[..., 0] * np.cos(q[0]) + points[..., 1] * np.sin(q[0])
+    return np.stack([along, points[..., 2]], axis=-1)

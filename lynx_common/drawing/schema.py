@@ -1,0 +1,97 @@
+"""The DH schema of the arm: joints as cylinders about their axes, link frames, lengths; report Fig. 1.1."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+
+from .. import arm
+from .style import COLOURS
+
+# The pose drawn: upper arm raised, forearm lowered, gripper level.
+POSE = np.pi / 180 * np.array([0, 50, -75, 115, 0])
+
+# Orthographic view from in front of the arm's plane, a little from the left and from above.
+AZIMUTH, ELEVATION = np.pi / 180 * np.array([-112, 20])
+RIGHT = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0])
+UP = np.array([-np.sin(ELEVATION) * np.cos(AZIMUTH), -np.sin(ELEVATION) * np.sin(AZIMUTH), np.cos(ELEVATION)])
+VIEW = np.stack([RIGHT, UP], axis=1)
+
+# Where the joint angles are written beside their joints, in points.
+ANGLE_OFFSETS = ((-32, -6), (-36, -8), (-6, -32), (-22, -30), (22, 14))
+
+
+def dh_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
+    """The arm as a chain of five joints, with the frames 0, 1, 2, 3 and 5 of Table 1.2 and its four lengths."""
+    T, points = arm.link_frames(POSE, geometry), arm.joint_positions(POSE, geometry)
+    size = sum(geometry) / 0.6
+    ax.plot(*(points @ VIEW).T, color="black", linewidth=4, zorder=1)
+    for i, axis_frame in enumerate(T[:5]):
+        # Joint i turns about z of the frame before it; the fifth is set a little along the gripper's axis.
+        at = axis_frame[:3, 3] + (0.25 * geometry.L_3 if i == 4 else 0) * axis_frame[:3, 2]
+        _cylinder(ax, at, axis_frame[:3, 2], 0.015 * size)
+        ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
+    for i in (0, 1, 2, 3, 5):
+        _triad(ax, T[i], 0.06 * size, i)
+    sides = (0.07, 0.075, 0.06, -0.055)  # of the line between the joints, clear of the frames
+    for name, start, end, side in zip(("d_1", "L_1", "L_2", "L_3"), points[:-1], points[1:], sides, strict=True):
+        _dimension(ax, start @ VIEW, end @ VIEW, side * size, f"${name}$")
+    return _bare(ax)
+
+
+def wrist_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
+    """How frame 3 becomes frame 5: turned about z_3 by theta_4, tipped about x_4, moved along z_4 by L_3."""
+    T = arm.link_frames(POSE, geometry)
+    words = (
+        "frame 3\n$x_3$ along\nthe forearm",
+        "frame 4\n$\\theta_4$ about $z_3$,\n90° about $x_4$",
+        "frame 5\n$\\theta_5$ about $z_4$,\n$L_3$ along $z_4$",
+    )
+    for i, text in zip((3, 4, 5), words, strict=True):
+        frame = T[i].copy()
+        frame[:3, 3] = (i - 3) * 0.2 * RIGHT
+        _triad(ax, frame, 0.09, i)
+        ax.text(*(frame[:3, 3] @ VIEW + [0.02, -0.09]), text, ha="center", va="top")
+    return _bare(ax)
+
+
+def _bare(ax: Axes) -> Axes:
+    ax.set(aspect="equal")
+    ax.set_axis_off()
+    ax.margins(0.08)
+    ax.autoscale_view()
+    return ax
+
+
+def _triad(ax: Axes, T: np.ndarray, length: float, index: int) -> None:
+    origin = T[:3, 3] @ VIEW
+    for i, axis in enumerate("xyz"):
+        tip = (T[:3, 3] + length * T[:3, i]) @ VIEW
+        arrow = {"arrowstyle": "-|>", "color": COLOURS[axis], "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", tip, xytext=origin, arrowprops=arrow, zorder=5)
+        beyond = origin + 1.22 * (tip - origin)
+        name = ax.text(*beyond, f"${axis}_{index}$", color=COLOURS[axis], ha="center", va="center", zorder=6)
+        name.set_path_effects([withStroke(linewidth=3, foreground="white")])
+        ax.update_datalim([origin, beyond])
+
+
+def _cylinder(ax: Axes, centre: np.ndarray, axis: np.ndarray, radius: float) -> None:
+    """A joint: a short cylinder about its axis, drawn as its two ends and the band between them."""
+    across = np.cross(axis, [1.0, 0, 0] if abs(axis[0]) < 0.9 else [0, 1.0, 0])
+    across /= np.linalg.norm(across)
+    turn = np.linspace(0, 2 * np.pi, 61)[:, None]
+    circle = radius * (np.cos(turn) * across + np.sin(turn) * np.cross(axis, across))
+    toward_reader = np.sign(axis @ np.cross(RIGHT, UP)) or 1
+    far, near = ((centre + s * toward_reader * 1.6 * radius * axis + circle) @ VIEW for s in (-1, 1))
+    for k in range(60):
+        ax.fill(*np.array([far[k], far[k + 1], near[k + 1], near[k]]).T, color="#9ecae1", linewidth=0.5, zorder=2)
+    ax.fill(*near.T, facecolor="#deebf7", edgecolor="#3182bd", linewidth=1, zorder=3)
+
+
+def _dimension(ax: Axes, start: np.ndarray, end: np.ndarray, offset: float, text: str) -> None:
+    """A length beside the line from ``start`` to ``end``, ``offset`` to its left."""
+    direction = (end - start) / np.linalg.norm(end - start)
+    shift = offset * np.array([-direction[1], direction[0]])
+    line = {"arrowstyle": "|-|,widthA=0.25,widthB=0.25", "color": COLOURS["aid"], "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", end + shift, xytext=start + shift, arrowprops=line)
+    ax.text(*((start + end) / 2 + 1.5 * shift), text, ha="center", va="center", fontsize=13)
+    ax.update_datalim([start + 1.8 * shift, end + shift])

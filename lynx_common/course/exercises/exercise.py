@@ -1,0 +1,88 @@
+"""One exercise: reading an answer in any of its forms, and judging it from the plainest fault to the subtlest."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+# Answers rounded to four decimals count as right.
+TOLERANCE = 1e-4
+
+
+class UnreadableAnswerError(Exception):
+    """An answer of the wrong kind or shape; holds the sentence that says so."""
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """An exercise and what can be said about an answer to it.
+
+    read : turns an answer of any accepted form into one form; raises UnreadableAnswerError
+    error : how far that is from the nearest right answer, 0 where it is right
+    misconceptions : pairs of a test of an answer that is not right, and what to tell its author
+    hints, explanation, code : the way there; ``code`` sets ``answer``
+    """
+
+    read: Callable[[object], Any]
+    error: Callable[[Any], float]
+    misconceptions: tuple[tuple[Callable[[Any], bool], str], ...]
+    hints: tuple[str, ...]
+    explanation: str
+    code: str
+
+    def judge(self, answer: object) -> str:
+        """One sentence about ``answer``."""
+        if answer is ...:
+            return "not attempted yet; put your answer in place of the dots."
+        try:
+            value = self.read(answer)
+        except UnreadableAnswerError as fault:
+            return str(fault)
+        error = self.error(value)
+        if error <= TOLERANCE:
+            return "correct."
+        for recognised, sentence in self.misconceptions:
+            if recognised(value):
+                return f"not yet: {sentence}"
+        return f"not yet; off by {error:.3g}."
+
+
+def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
+    """Read lists, arrays and SymPy matrices of real numbers as an array of ``shape``."""
+
+    def read(answer: object) -> np.ndarray:
+        try:
+            value = np.array(answer, dtype=complex)
+        except (TypeError, ValueError):
+            raise UnreadableAnswerError(f"numbers are expected, not {type(answer).__name__}.") from None
+        if value.shape not in (shape, (*shape, 1), (1, *shape)):
+            raise UnreadableAnswerError(f"shape {value.shape}, where {shape} is expected.")
+        if not np.isfinite(value).all() or np.abs(value.imag).max() > 0:
+            raise UnreadableAnswerError("every number is expected to be real and finite.")
+        return value.real.reshape(shape)
+
+    return read
+
+
+def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object], sp.Matrix]:
+    """Read ``size`` expressions in ``symbols`` (known by their names), as a list, a row, a column or a pose."""
+    by_name = {symbol.name: symbol for symbol in symbols}
+
+    def read(answer: object) -> sp.Matrix:
+        try:
+            value = sp.Matrix(answer)
+        except (TypeError, ValueError):
+            raise UnreadableAnswerError(f"{size} expressions are expected, not {type(answer).__name__}.") from None
+        value = value[:3, 3] if value.shape == (4, 4) else value
+        if len(value) != size:
+            raise UnreadableAnswerError(f"{len(value)} entries, where {size} are expected.")
+        value = value.reshape(size, 1).subs({s: by_name.get(s.name, s) for s in value.free_symbols})
+        if unknown := sorted(map(str, value.free_symbols - {*symbols})):
+            raise UnreadableAnswerError(
+                f"it holds {', '.join(unknown)}, which the arm lacks; the symbols are {', '.join(by_name)}."
+            )
+        return value
+
+    return read

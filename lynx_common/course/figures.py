@@ -1,0 +1,32 @@
+"""Showing a figure in a notebook, with its caption in words, and saving the report's figures as files."""
+
+import os
+from io import BytesIO
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+from IPython.display import Image, Markdown, display
+from matplotlib.figure import Figure
+
+
+def publish(fig: Figure, number: str, caption: str = "") -> None:
+    """Show ``fig`` as figure ``number`` of the report, e.g. "1.2", and save it where ``make figures`` asks for it.
+
+    ``make figures`` names the folder in LYNX_FIGURES and may name one figure in LYNX_FIGURE. The files are
+    fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared.
+    """
+    folder = os.environ.get("LYNX_FIGURES")
+    if folder and os.environ.get("LYNX_FIGURE", number) == number:
+        stem = Path(folder) / f"fig-{number}"
+        fig.savefig(f"{stem}.pdf", metadata={"CreationDate": None})
+        fig.savefig(f"{stem}.svg", metadata={"Date": None})
+        fig.savefig(f"{stem}.png", dpi=300)
+    show(fig, f"**Fig. {number}.** {caption}".rstrip())
+
+
+def show(fig: Figure, caption: str) -> None:
+    """Show ``fig`` with ``caption`` below it, which says in words what it shows, and close it."""
+    buffer = BytesIO()
+    fig.savefig(buffer, format="png", metadata={"Software": None})
+    plt.close(fig)
+    display(Image(buffer.getvalue(), alt=caption), Markdown(caption))

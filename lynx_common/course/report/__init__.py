@@ -1,0 +1,88 @@
+"""The ledger: what the report prints, as data, and whether it holds.
+
+Every equation, table and figure of the report, and every sentence of it that can be true or false, is an
+``Item`` with the place where it stands and a verdict. A notebook derives the same thing on its own and hands
+it to ``check``, which raises if the recorded verdict is not the one that it finds. Nothing here is computed
+with the robots' modules, so that nothing can be compared with itself.
+"""
+
+import re
+
+import numpy as np
+import sympy as sp
+from IPython.display import Markdown
+
+from ...errors import LedgerError, UnknownNameError
+from . import a1
+from .item import Item, differs
+
+LEDGER = {item.key: item for item in [*a1.ITEMS]}
+
+
+def printed(key: str) -> np.ndarray | sp.Basic | bool:
+    """What the report prints as item ``key``, e.g. "Fig. 1.2": an array, or the right side of an equation."""
+    return _find(key).value
+
+
+def check(key: str, derived: np.ndarray | sp.Basic | bool) -> None:
+    """Compare what was ``derived`` with what is printed as item ``key``, and print the verdict.
+
+    Parameters
+    ----------
+    key : "eq. 1.1", "Table 1.3", "Fig. 1.2" or "claim A1.1"
+    derived : expression or matrix (compared symbolically), numbers (to the digits printed), or for a claim
+        whether it was found true
+
+    Raises LedgerError unless the recorded verdict is the one found. An item *holds* where both agree;
+    *holds, if* where they do not agree in general, but under the recorded condition; it is *wrong* where they
+    do not agree and ``derived`` is what is recorded as right.
+    """
+    item = _find(key)
+    if found := _contradiction(item, derived):
+        raise LedgerError(key, item.verdict, found)
+    print(f"{key} {item.verdict}")
+
+
+def _contradiction(item: Item, derived: np.ndarray | sp.Basic | bool) -> str:
+    """In which way ``derived`` contradicts the recorded verdict; empty where it does not."""
+    difference = differs(item.value, derived, item.digits)
+    if item.kind == "holds":
+        return difference
+    if not difference:
+        return "it agrees with what is printed, without condition"
+    if item.kind == "holds, if":
+        return differs(item.value, derived.xreplace(item.condition), item.digits)
+    return differs(item.right, derived, item.digits) if item.right is not None else ""
+
+
+def summary(notebook: str = "") -> Markdown:
+    """The items of the ledger that ``notebook`` (its stem) checks, as a table; without a name, all of them."""
+    rows = [
+        f"| {item.key} | {item.where} | {item.says} | {item.verdict} |"
+        for item in sorted(LEDGER.values(), key=_reading_order)
+        if item.notebook == notebook or not notebook
+    ]
+    if not rows:
+        raise UnknownNameError("notebook in the ledger", notebook, sorted({i.notebook for i in LEDGER.values()}))
+    return Markdown("\n".join(["| item | report | what it says | verdict |", "|:--|:--|:--|:--|", *rows]))
+
+
+def errata() -> Markdown:
+    """The items that do not hold as printed, as a table with the notebook that shows it."""
+    rows = [
+        f"| {item.key} | {item.says} | {item.verdict} | [{item.notebook}]({item.notebook}.ipynb) |"
+        for item in sorted(LEDGER.values(), key=_reading_order)
+        if item.kind != "holds"
+    ]
+    return Markdown("\n".join(["| item | what it says | verdict | shown in |", "|:--|:--|:--|:--|", *rows]))
+
+
+def _reading_order(item: Item) -> tuple:
+    kind = ("eq.", "Table", "Fig.", "claim").index(item.key.split()[0])
+    return item.notebook, kind, [int(n) for n in re.findall(r"\d+", item.key)]
+
+
+def _find(key: str) -> Item:
+    if key not in LEDGER:
+        raise UnknownNameError("item of the report", key, list(LEDGER))
+    return LEDGER[key]

@@ -1,0 +1,138 @@
+"""Section 1.1 of the report, forward kinematics: its equations, tables, figures and claims."""
+
+import numpy as np
+import sympy as sp
+
+from ...symbolic import ROW, P, Q
+from .item import Item
+
+NOTEBOOK = "A1_forward_kinematics"
+a, alpha, d, theta = ROW
+theta_1, theta_2, theta_3, theta_4, theta_5 = Q
+d_1, L_1, L_2, L_3 = P
+QUARTER = sp.pi / 2
+
+LINK = sp.Matrix(
+    [
+        [sp.cos(theta), -sp.sin(theta) * sp.cos(alpha), sp.sin(theta) * sp.sin(alpha), a * sp.cos(theta)],
+        [sp.sin(theta), sp.cos(theta) * sp.cos(alpha), -sp.cos(theta) * sp.sin(alpha), a * sp.sin(theta)],
+        [0, sp.sin(alpha), sp.cos(alpha), d],
+        [0, 0, 0, 1],
+    ]
+)
+
+PROXIMAL = sp.Matrix(
+    [
+        [0, 0, 0, theta_1],
+        [0, QUARTER, 0, theta_2],
+        [L_1, 0, 0, theta_3],
+        [L_2, 0, 0, theta_4 + QUARTER],
+        [0, QUARTER, 0, theta_5],
+    ]
+)
+
+DISTAL = sp.Matrix(
+    [
+        [0, QUARTER, d_1, theta_1],
+        [L_1, 0, 0, theta_2],
+        [L_2, 0, 0, theta_3],
+        [0, QUARTER, 0, theta_4],
+        [0, 0, L_3, theta_5],
+    ]
+)
+
+T_0_5 = sp.MatrixSymbol("T_{05}", 4, 4)
+LINKS = [sp.MatrixSymbol(f"T_{{{i}{i + 1}}}", 4, 4) for i in range(5)]
+
+# Lengths d_1, L_1, L_2, L_3 in metres, then the five joint angles in degrees.
+PARAMETERS = np.array([0.1, 0.2, 0.2, 0.1, 60, 45, -30, 60, 30])
+
+ITEMS = [
+    Item(
+        key="eq. 1.1",
+        where="1.1, p. 3",
+        says="the transform of one link from its row of the distal table",
+        printed=sp.Eq(sp.MatrixSymbol("T_{n-1,n}", 4, 4), LINK),
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    Item(
+        key="eq. 1.2",
+        where="1.1, p. 3",
+        says="the gripper's pose is the product of the five link transforms",
+        printed=sp.Eq(T_0_5, sp.MatMul(*LINKS)),
+        meaning={T: LINK.subs(dict(zip(ROW, DISTAL.row(i), strict=True))) for i, T in enumerate(LINKS)},
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    Item(
+        key="Table 1.1",
+        where="1.1, p. 2",
+        says="the proximal (modified) DH table",
+        printed=PROXIMAL,
+        notebook=NOTEBOOK,
+        verdict="holds, if frame 0 is taken at the shoulder and frame 5 at the wrist (d_1 = L_3 = 0), "
+        "and its theta_4 is 90 deg less than that of Table 1.2",
+        condition={d_1: sp.Integer(0), L_3: sp.Integer(0), theta_4: theta_4 + QUARTER},
+    ),
+    Item(
+        key="Table 1.2",
+        where="1.1, p. 3",
+        says="the distal (standard) DH table",
+        printed=DISTAL,
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    Item(
+        key="Table 1.3",
+        where="1.1, p. 4",
+        says="lengths of the arm, and joint angles for Fig. 1.2",
+        printed=PARAMETERS,
+        digits=9,
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    Item(
+        key="Fig. 1.1",
+        where="1.1, p. 2",
+        says="joints and frames of the arm; drawn with the gripper level, x_5 up and z_5 forward",
+        printed=sp.Matrix([[0, 0, 1], [0, -1, 0], [1, 0, 0]]),
+        notebook=NOTEBOOK,
+        verdict="holds, if 90 deg are added to theta_4 of Table 1.2",
+        condition={theta_4: QUARTER},
+    ),
+    Item(
+        key="Fig. 1.2",
+        where="1.1, p. 4",
+        says="the gripper's position for Table 1.3: (0.2156, 0.373429, 0.267303) m",
+        printed=np.array([0.2156, 0.373429, 0.267303]),
+        digits=6,
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    Item(
+        key="claim A1.1",
+        where="1.1, p. 2",
+        says="the proximal convention leaves out d_1 and L_3, so the distal one must be used",
+        printed=True,
+        notebook=NOTEBOOK,
+        verdict="wrong: the proximal table carries both, d_1 in row 1 and L_3 in row 5, "
+        "and then gives the same pose, symbol for symbol",
+    ),
+    Item(
+        key="claim A1.2",
+        where="1.1, pp. 2-4",
+        says="Tables 1.1 and 1.2 describe one arm with one theta_4",
+        printed=True,
+        notebook=NOTEBOOK,
+        verdict="wrong: for the same pose theta_4 of Table 1.2 is 90 deg more than theta_4 of Table 1.1",
+    ),
+    Item(
+        key="claim A1.3",
+        where="1.1, p. 4",
+        says="Fig. 1.2 shows position and orientation of the gripper",
+        printed=True,
+        notebook=NOTEBOOK,
+        verdict="wrong: it shows the position; another theta_5 gives the same picture and another orientation",
+    ),
+]

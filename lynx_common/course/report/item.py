@@ -1,0 +1,110 @@
+"""One printed item of the report, and when two statements of it differ."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+import sympy as sp
+
+from ...symbolic import numeric, tidy
+
+KINDS = ("holds, if ", "wrong: ", "holds")  # the verdicts, the longer beginning first
+
+
+@dataclass(frozen=True)
+class Item:
+    """A printed item, its place, and the verdict of this course.
+
+    key : "eq. 1.1", "Table 1.3", "Fig. 1.2" or "claim A1.1"
+    where : section and page of the report
+    says : what it says, in the course's own words, for the tables of the ledger
+    printed : an ``sp.Eq`` or ``sp.Matrix``, an array of numbers, or True for a claim
+    notebook : the notebook that checks it
+    verdict : "holds", "holds, if ..." or "wrong: ..." with what is right
+    meaning : what the symbols in ``printed`` stand for, where the report defines them elsewhere
+    digits : decimals to which printed numbers are compared
+    condition : substitution under which an item holds that does not hold in general
+    right : what stands in place of an item that is wrong (a wrong claim is simply not true)
+    """
+
+    key: str
+    where: str
+    says: str
+    printed: sp.Basic | np.ndarray | bool
+    notebook: str
+    verdict: str
+    meaning: Mapping = field(default_factory=dict)
+    digits: int | None = None
+    condition: Mapping | None = None
+    right: sp.Basic | np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        if not self.verdict.startswith(KINDS):
+            raise ValueError(f"{self.key}: a verdict begins with one of {KINDS}, not {self.verdict!r}.")
+        if self.kind == "holds, if" and self.condition is None:
+            raise ValueError(f"{self.key}: an item that holds under a condition states it as a substitution.")
+        if self.kind == "wrong" and self.right is None and self.printed is not True:
+            raise ValueError(f"{self.key}: a wrong item says what is right.")
+
+    @property
+    def kind(self) -> str:
+        """The verdict without its explanation."""
+        return next(kind for kind in KINDS if self.verdict.startswith(kind)).rstrip(" :")
+
+    @property
+    def value(self) -> sp.Basic | np.ndarray | bool:
+        """What ``printed`` amounts to: the right side of an equation, with its symbols filled in."""
+        if not isinstance(self.printed, sp.Basic | sp.MatrixBase):
+            return self.printed
+        side = self.printed.rhs if isinstance(self.printed, sp.Eq) else self.printed
+        return side.subs(self.meaning).doit()
+
+
+def differs(printed: object, derived: object, digits: int | None = None) -> str:
+    """How ``derived`` differs from ``printed``, as a clause; empty where they agree."""
+    if isinstance(printed, bool):
+        return _claims_differ(printed, derived)
+    if isinstance(printed, np.ndarray):
+        return _numbers_differ(printed, np.asarray(derived, float), digits)
+    return _expressions_differ(printed, derived)
+
+
+def _claims_differ(printed: bool, derived: object) -> str:
+    if not isinstance(derived, bool | np.bool_ | sp.logic.boolalg.BooleanAtom):
+        return f"a claim is checked by True or False, not by {derived!r}"
+    return "" if bool(derived) == printed else f"it is {bool(derived)}"
+
+
+def _numbers_differ(printed: np.ndarray, derived: np.ndarray, digits: int) -> str:
+    if printed.shape != derived.shape:
+        return f"the shape is {derived.shape}, not {printed.shape}"
+    off = np.abs(derived - printed).max()
+    # Half a unit of the last digit printed; the hair on top is for decimals that binary cannot hold.
+    return "" if off <= 0.5 * 10.0**-digits * (1 + 1e-6) else f"it is off by {off:.3g}"
+
+
+def _expressions_differ(printed: sp.Basic, derived: sp.Basic) -> str:
+    derived = derived.rhs if isinstance(derived, sp.Eq) else sp.sympify(derived)
+    a, b = (
+        sp.Matrix(x) if isinstance(x, sp.MatrixBase | sp.MatrixExpr) else sp.Matrix([x])
+        for x in (printed, derived)
+    )
+    if a.shape != b.shape:
+        return f"the shape is {b.shape}, not {a.shape}"
+    different = [i for i, entry in enumerate(a - b) if not is_zero(entry)]
+    return (
+        f"entry {divmod(different[0], a.shape[1])} is {b[different[0]]}, not {a[different[0]]}"
+        if different
+        else ""
+    )
+
+
+def is_zero(expr: sp.Expr) -> bool:
+    """Whether ``expr`` is identically zero: disproved by numbers where they suffice, else proven by SymPy."""
+    if tidy(expr) == 0:
+        return True
+    symbols = sorted(expr.free_symbols, key=str)
+    samples = np.random.default_rng(0).uniform(0.1, 1.0, (5, len(symbols)))
+    if symbols and np.nanmax(np.abs(numeric(expr, symbols)(samples))) > 1e-9:
+        return False
+    return sp.simplify(expr) == 0

@@ -1,0 +1,208 @@
+"""The checks on the notebooks can fail, and the executor's work is the same every time."""
+
+import base64
+import io
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import nbformat
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from nbformat.v4 import new_code_cell, new_notebook, new_output
+from PIL import Image
+from strict_nbval import code_cells, picture_difference, pixels
+
+from lynx_common.course.execute import NOTEBOOKS, ROOT
+from lynx_common.course.kernel import execute
+
+SMALL = [
+    "import matplotlib.pyplot as plt\nimport sympy as sp\nfrom ipywidgets import Image",
+    "print(0.2156, 0.373429)",
+    "sp.sqrt(sp.Symbol('x')) / 2",
+    "plt.plot([0, 1], [0, 2], 'o')\nplt.show()",
+    "plt.title('no text from this cell');",
+    "Image(value=b'', alt='a widget')",
+    "",
+    "1 + 1",
+]
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory) -> Path:
+    """A notebook with one cell of each kind, executed."""
+    path = tmp_path_factory.mktemp("small") / "small.ipynb"
+    cells = [new_code_cell(source, id=f"cell-{number}") for number, source in enumerate(SMALL)]
+    nbformat.write(new_notebook(cells=cells), path)
+    path.write_text(execute(path))
+    return path
+
+
+class Outcome(NamedTuple):
+    """What pytest said of the copies of a notebook."""
+
+    changed: set[int]  # cells that hold a changed output
+    failed: dict[str, set]  # by copy: the cells that failed, or {"all"} where the notebook was refused
+    output: str
+
+
+@pytest.fixture(scope="module", params=["small", "A1_forward_kinematics"])
+def outcome(request, small, tmp_path_factory) -> Outcome:
+    """Copies of the small notebook and of one of the course's, each spoiled in one way; pytest run on all."""
+    path = small if request.param == "small" else NOTEBOOKS / f"{request.param}.ipynb"
+    if not path.exists():
+        pytest.skip(f"{path.name} is not written yet")
+    names = ["changed", *SPOILS] + ["noisy"] * (path == small)  # once is enough, and saves seconds
+    copies = {name: nbformat.read(path, as_version=4) for name in names}
+    if path == small:
+        change_one(copies["noisy"], add_noise)
+    changes = change_digit, change_equation, change_picture
+    cells = {change_one(copies["changed"], change) for change in changes}
+    for name, (spoil, _) in SPOILS.items():
+        spoil(copies[name])
+    return Outcome(cells, *check(tmp_path_factory.mktemp("copies"), copies))
+
+
+def check(folder: Path, notebooks: dict[str, nbformat.NotebookNode]) -> tuple[dict[str, set], str]:
+    """Run pytest on notebooks, as `make test` does; the cells of each that failed, and its output."""
+    for name, notebook in notebooks.items():
+        nbformat.write(notebook, folder / f"{name}.ipynb")
+    command = [sys.executable, "-m", "pytest", "-n0", "-rA", "--color=no", "-c", ROOT / "pyproject.toml"]
+    run = subprocess.run([*command, "--rootdir", ROOT, folder], capture_output=True, text=True, cwd=folder)
+    failed = {name: set() for name in notebooks}
+    lines = re.compile(r"^(?:FAILED|ERROR) \S*?(\w+)\.ipynb(?:::Cell (\d+))?", re.MULTILINE)
+    for name, cell in lines.findall(run.stdout):
+        failed[name].add(int(cell) if cell else "all")
+    return failed, run.stdout
+
+
+@pytest.mark.parametrize("outcome", ["small"], indirect=True)
+def test_what_holds_passes_with_noise_that_nobody_sees(outcome):
+    assert len(re.findall(r"^PASSED .*noisy\.ipynb::Cell", outcome.output, re.MULTILINE)) == len(SMALL)
+    assert outcome.failed["noisy"] == set()
+
+
+def test_a_changed_output_fails_in_its_own_cell_only(outcome):
+    assert len(outcome.changed) == 3
+    assert outcome.failed["changed"] == outcome.changed
+    assert "picture differs: " in outcome.output
+
+
+def test_a_notebook_not_as_made_is_refused(outcome):
+    for name, (_, fault) in SPOILS.items():
+        assert outcome.failed[name] == {"all"}
+        assert f"{name}.ipynb {fault}; run `make notebooks`." in outcome.output
+
+
+def change_one(notebook, change) -> int:
+    """Change the first output that can be changed in this way; returns the number of its cell."""
+    for number, cell in enumerate(code_cells(notebook)):
+        compared = "nbval-ignore-output" not in cell.metadata.get("tags", [])
+        if compared and any(map(change, cell.outputs)):
+            return number
+    raise ValueError(f"no output for {change.__name__}")
+
+
+def change_digit(output) -> bool:
+    """In what a cell prints, or in a result that is shown as plain text."""
+    holder, key = (output, "text") if output.output_type == "stream" else (output.data, "text/plain")
+    before = holder[key]
+    if output.output_type == "stream" or list(output.data) == ["text/plain"]:
+        holder[key] = re.sub(r"\d(?=\D*$)", lambda digit: str((int(digit[0]) + 1) % 10), before)
+    return holder[key] != before
+
+
+def change_equation(output) -> bool:
+    return replace_data(output, "text/latex", lambda latex: latex.replace("$", "$-", 1))
+
+
+def change_picture(output) -> bool:
+    """One small marker more."""
+
+    def add_marker(png):
+        picture = pixels(png)
+        picture[20:27, 30:37] = 0, 0, 0, 255
+        return base64_png(picture)
+
+    return replace_data(output, "image/png", add_marker)
+
+
+def add_noise(output) -> bool:
+    """Two levels up or down, everywhere."""
+
+    def add(png):
+        picture = pixels(png)
+        return base64_png((picture + np.random.default_rng(0).integers(-2, 3, picture.shape)).clip(0, 255))
+
+    return replace_data(output, "image/png", add)
+
+
+def replace_data(output, kind: str, change) -> bool:
+    data = output.get("data", {})
+    if found := kind in data:
+        data[kind] = change(data[kind])
+    return found
+
+
+def base64_png(picture: np.ndarray) -> str:
+    file = io.BytesIO()
+    Image.fromarray(picture.astype(np.uint8), "RGBA").save(file, "png")
+    return base64.b64encode(file.getvalue()).decode()
+
+
+def strip(notebook):
+    for cell in code_cells(notebook):
+        cell.update(outputs=[], execution_count=None)
+
+
+def disorder(notebook):
+    first, second = code_cells(notebook)[:2]
+    first.execution_count, second.execution_count = second.execution_count, first.execution_count
+
+
+def warn(notebook):
+    code_cells(notebook)[0].outputs.append(new_output("stream", name="stderr", text="a warning"))
+
+
+def fail(notebook):
+    code_cells(notebook)[0].outputs.append(new_output("error", ename="NameError", evalue="x", traceback=[]))
+
+
+def keep_widgets(notebook):
+    notebook.metadata.widgets = {}
+
+
+def keep_times(notebook):
+    code_cells(notebook)[0].metadata.execution = {}
+
+
+SPOILS = {
+    "stripped": (strip, "was never run"),
+    "disordered": (disorder, "was not run from top to bottom in a fresh kernel"),
+    "warned": (warn, "stores a message on stderr"),
+    "failed": (fail, "stores an error"),
+    "with_widgets": (keep_widgets, "stores the state of widgets"),
+    "with_times": (keep_times, "stores the times of its execution"),
+}
+
+
+def test_a_second_run_changes_no_byte(small):
+    assert execute(small).encode() == small.read_bytes()
+
+
+@pytest.mark.parametrize(("label", "other"), ["08", "38", "56", "35", "17"])
+@pytest.mark.parametrize("inches", [(6.4, 4.8), (12, 6)])
+def test_one_digit_of_a_tick_label_is_a_different_picture(label, other, inches):
+    assert picture_difference(tick_label(label, inches), tick_label(other, inches))
+
+
+def tick_label(text: str, inches: tuple[float, float]) -> str:
+    figure = Figure(figsize=inches)
+    figure.add_subplot().set_xticks([0.5], [f"0.{text}"], fontsize=7)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return base64_png(np.asarray(canvas.buffer_rgba()))

@@ -121,8 +121,6 @@ def lines_of_code(function: ast.FunctionDef, source: str) -> int:
     lines = source.splitlines()
     if ast.get_docstring(function):
         docstring = function.body[0]
-        lines[docstring.lineno - 1 : docstring.end_lineno] = [""] * (
-            docstring.end_lineno - docstring.lineno + 1
-        )
+        lines[docstring.lineno - 1 : docstring.end_lineno] = [""] * (docstring.end_lineno - docstring.lineno + 1)
     own = map(str.strip, lines[function.lineno - 1 : function.end_lineno])
     return sum(bool(line) and not line.startswith("#") for line in own)

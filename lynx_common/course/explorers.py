@@ -58,10 +58,12 @@ def _slider(name: str, limits: np.ndarray, value: float) -> widgets.FloatSlider:
 
 def _arm_view(geometry: arm.Geometry) -> Callable[[np.ndarray, bool], bytes]:
     """The picture of ``arm_explorer`` as a function of the joint angles and of whether frames are shown."""
-    reach, q = sum(geometry), np.deg2rad(HOME_DEG)
-    fig, space, plane = drawing.two_views(8, 4)
-    drawing.space_3d(space, (-reach, reach), (-reach, reach), (-reach / 2, reach))
-    plane.set(xlim=(-reach, reach), ylim=(-reach, reach))
+    d_1, *links = geometry
+    reach, q = sum(links), np.deg2rad(HOME_DEG)
+    fig, space, plane = drawing.two_views(9, 4.2)
+    side = (-0.8 * reach, 0.8 * reach)
+    drawing.space_3d(space, side, side, (0, d_1 + 0.8 * reach))
+    plane.set(xlim=(-1.1 * reach, 1.1 * reach), ylim=(d_1 - 1.1 * reach, d_1 + 1.1 * reach))
     frames = arm.link_frames(q, geometry)
     links = drawing.arm_3d(space, q, geometry), drawing.arm_side_view(plane, q, geometry)
     axes = drawing.frames_3d(space, frames), drawing.frames_side_view(plane, frames, q)

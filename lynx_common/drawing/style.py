@@ -41,7 +41,7 @@ def use_style() -> None:
 
 def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, Axes]:
     """A figure (inches) with a 3-D view on the left and a plane one on the right."""
-    fig = plt.figure(figsize=(width, height))
+    fig = plt.figure(figsize=(width, height), layout="constrained")
     fig.get_layout_engine().set(wspace=0.12)
     return fig, fig.add_subplot(1, 2, 1, projection="3d"), fig.add_subplot(1, 2, 2)
 
@@ -49,7 +49,7 @@ def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, A
 def space_3d(ax: Axes3D, x: Limits, y: Limits, z: Limits, azimuth: float = -60) -> Axes3D:
     """A 3-D view with equal scales of the box ``x``, ``y``, ``z`` (metres), seen from ``azimuth`` (degrees)."""
     ax.set(xlim=x, ylim=y, zlim=z, xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
-    ax.set_box_aspect([high - low for low, high in (x, y, z)], zoom=0.95)
+    ax.set_box_aspect([high - low for low, high in (x, y, z)], zoom=1.0)
     ax.view_init(elev=22, azim=azimuth)
-    ax.locator_params(nbins=5)
+    ax.locator_params(nbins=4)
     return ax

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import sympy as sp
 
+from ...errors import InputError
 from ...symbolic import numeric, tidy
 
 KINDS = ("holds, if ", "wrong: ", "holds")  # the verdicts, the longer beginning first
@@ -71,7 +72,7 @@ def differs(printed: object, derived: object, digits: int | None = None) -> str:
 
 def _claims_differ(printed: bool, derived: object) -> str:
     if not isinstance(derived, bool | np.bool_ | sp.logic.boolalg.BooleanAtom):
-        return f"a claim is checked by True or False, not by {derived!r}"
+        raise InputError(f"A claim is checked by True or False, not by {derived!r}.")
     return "" if bool(derived) == printed else f"it is {bool(derived)}"
 
 

@@ -1,0 +1,101 @@
+"""Drawings put things where the robot's module says they are."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from lynx_common import arm, drawing
+
+Q = np.array([1.0, 0.8, -0.5, 1.2, 0.4])
+
+
+@pytest.fixture
+def views():
+    fig, space, plane = drawing.two_views()
+    yield space, plane
+    plt.close(fig)
+
+
+def in_plane(points, q=Q):
+    return np.stack([points[..., 0] * np.cos(q[0]) + points[..., 1] * np.sin(q[0]), points[..., 2]])
+
+
+def test_the_links_join_the_joints_in_both_views(views):
+    space, plane = views
+    links, _ = drawing.arm_3d(space, Q)
+    flat, _ = drawing.arm_side_view(plane, Q)
+    np.testing.assert_allclose(np.transpose(links.get_data_3d()), arm.joint_positions(Q))
+    np.testing.assert_allclose(flat.get_data(), in_plane(arm.joint_positions(Q)))
+    assert plane.get_aspect() == 1
+
+
+def test_the_side_view_shows_links_at_full_length(views):
+    flat, _ = drawing.arm_side_view(views[1], Q)
+    np.testing.assert_allclose(np.hypot(*np.diff(flat.get_data())), list(arm.LYNX))
+
+
+def test_the_fork_points_along_z_and_opens_along_x():
+    T = arm.forward_kinematics(Q)
+    tip_1, palm_1, palm, palm_2, tip_2 = drawing.gripper(T, 0.03)
+    np.testing.assert_allclose((tip_1 + tip_2) / 2, T[:3, 3])
+    np.testing.assert_allclose(tip_2 - tip_1, 0.03 * T[:3, 0])
+    np.testing.assert_allclose([tip_1 - palm_1, tip_2 - palm_2, T[:3, 3] - palm], [0.03 * T[:3, 2]] * 3)
+
+
+def test_frames_are_drawn_in_the_colours_of_their_axes(views):
+    T = arm.link_frames(Q)
+    lines = drawing.frames_3d(views[0], T, length=0.1)
+    for i, (axis, line) in enumerate(zip("xyz", lines, strict=True)):
+        assert line.get_color() == drawing.COLOURS[axis]
+        points = np.transpose(line.get_data_3d()).reshape(6, 3, 3)
+        np.testing.assert_allclose(points[:, 1] - points[:, 0], 0.1 * T[:, :3, i], atol=1e-12)
+        assert np.isnan(points[:, 2]).all()
+
+
+def test_moving_lines_is_drawing_them_anew(views):
+    space, plane = views
+    other = Q + 0.3
+    moved = drawing.arm_3d(space, Q), drawing.arm_side_view(plane, Q)
+    drawing.move(*moved, other)
+    fresh = drawing.arm_3d(space, other), drawing.arm_side_view(plane, other)
+    for a, b in zip(moved[0], fresh[0], strict=True):
+        np.testing.assert_array_equal(a.get_data_3d(), b.get_data_3d())
+    for a, b in zip(moved[1], fresh[1], strict=True):
+        np.testing.assert_array_equal(a.get_data(), b.get_data())
+
+
+def test_labels_stand_at_the_joints_of_the_picture(views):
+    space, plane = views
+    drawing.space_3d(space, (-0.5, 0.5), (-0.5, 0.5), (0, 0.6))
+    drawing.arm_side_view(plane, Q)
+    drawing.label_joints(plane, Q)
+    drawing.label_joints(space, Q)
+    for ax in views:
+        assert [text.get_text() for text in ax.texts] == ["base", "shoulder", "elbow", "wrist", "gripper"]
+    np.testing.assert_allclose([text.xy for text in plane.texts], in_plane(arm.joint_positions(Q)).T)
+
+
+def test_a_box_in_space_has_equal_scales(views):
+    drawing.space_3d(views[0], (-0.1, 0.3), (-0.2, 0.4), (0, 0.5))
+    box = views[0].get_box_aspect()
+    np.testing.assert_allclose(box / box[0], np.array([0.4, 0.6, 0.5]) / 0.4)
+
+
+def test_the_schema_names_every_joint_angle_length_and_axis():
+    fig, (left, right) = plt.subplots(1, 2)
+    drawing.dh_schema(left)
+    drawing.wrist_schema(right)
+    words = " ".join(text.get_text() for text in left.texts)
+    for name in [f"\\theta_{i}" for i in range(1, 6)] + ["d_1", "L_1", "L_2", "L_3"]:
+        assert f"${name}$" in words
+    for axes, frames in ((left, "01235"), (right, "345")):
+        words = [text.get_text() for text in axes.texts]
+        assert {f"${axis}_{i}$" for axis in "xyz" for i in frames} <= set(words)
+    plt.close(fig)
+
+
+def test_a_set_style_is_what_figures_get():
+    with plt.rc_context():
+        drawing.use_style()
+        assert plt.rcParams["figure.constrained_layout.use"]
+        assert plt.rcParams["font.size"] >= 11

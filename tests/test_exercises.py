@@ -1,0 +1,136 @@
+"""The exercises: right answers in any form pass, typical wrong ones are told what is wrong, nothing raises."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from lynx_common import arm, dh
+from lynx_common.course import exercises
+from lynx_common.course.exercises.a1 import ANGLES, CAMERA
+from lynx_common.errors import UnknownNameError
+from lynx_common.symbolic import P, Q, tidy
+
+pi = np.pi
+theta_1, theta_2 = Q[:2]
+d_1, L_1, L_2, _ = P
+d_3 = sp.Symbol("d_3")  # without the assumptions of the course's symbols: known by its name
+c1, s1, c12, s12 = sp.cos(theta_1), sp.sin(theta_1), sp.cos(theta_1 + theta_2), sp.sin(theta_1 + theta_2)
+forearm, gripper = arm.link_frames(ANGLES)[[3, 5]]
+in_degrees = arm.link_frames(np.rad2deg(ANGLES))[3]
+scara = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]
+
+RIGHT = {
+    "A1.1": [
+        [pi / 2, 0, 0, pi / 2, 0],
+        (pi / 2, 0, 0, pi / 2, 1.234),
+        np.array([[-pi / 2, pi, 0, pi / 2, 0]]),
+        sp.Matrix([sp.pi / 2, 0, 0, sp.pi / 2, 0]),
+        [1.5708, 0, 2 * pi, 1.5708, 0],
+    ],
+    "A1.2": [
+        forearm @ CAMERA,
+        (forearm @ CAMERA).tolist(),
+        sp.Matrix(dh.chain(arm.dh_table())[2] * dh.trans(-0.1, 0.03, 0)).subs(
+            dict(zip((*Q, *P), (*ANGLES, *arm.LYNX), strict=True))
+        ),
+    ],
+    "A1.3": [
+        [L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 - d_3],
+        sp.Matrix([[L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 - d_3]]),
+        dh.chain(scara)[-1],
+        sp.expand_trig(tidy(dh.chain(scara)[-1][:3, 3])),
+    ],
+}
+
+WRONG = {
+    "A1.1": [
+        (..., "not attempted"),
+        ([90, 0, 0, 90, 0], "right in degrees"),
+        ([pi / 2, 0, 0, 0, 0], "theta_4 of Table 1.1"),
+        ([90, 0, 0, 0, 0], "degrees, and theta_4 of Table 1.1"),
+        ([0, 0, 0, pi / 2, 0], "along +x"),
+        ([-pi / 2, 0, 0, pi / 2, 0], "along -y"),
+        ([pi / 2, 0, 0], "shape (3,), where (5,)"),
+        ([np.nan] * 5, "real and finite"),
+        ([1j] * 5, "real and finite"),
+        ("up", "numbers are expected"),
+        ([pi / 2, 0.1, 0, pi / 2, 0], "off by 0."),
+    ],
+    "A1.2": [
+        (..., "not attempted"),
+        (CAMERA @ forearm, "wrong order"),
+        (in_degrees @ CAMERA, "as degrees"),
+        (gripper @ CAMERA, "sits on the gripper"),
+        (np.linalg.inv(forearm @ CAMERA), "base seen from the camera"),
+        ((forearm @ CAMERA).T, "transpose"),
+        ((forearm @ CAMERA)[:3, 3], "shape (3,), where (4, 4)"),
+        (forearm, "off by 0.0"),
+    ],
+    "A1.3": [
+        (..., "not attempted"),
+        (
+            [L_1 * c1 + L_2 * sp.cos(theta_2), L_1 * s1 + L_2 * sp.sin(theta_2), d_1 - d_3],
+            "counted from the first",
+        ),
+        ([L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + d_3], "lowers the tool"),
+        ([L_1 * s1 + L_2 * s12, L_1 * c1 + L_2 * c12, d_1 - d_3], "swapped"),
+        (
+            [L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + L_2 * sp.sin(theta_2) - d_3],
+            "joint axes are vertical",
+        ),
+        ([L_1 * c1, L_1 * s1], "2 entries, where 3"),
+        ([Q[2], 0, 0], "holds theta_3"),
+        (lambda q: q, "expressions are expected"),
+        ([0, 0, d_1 - d_3], "off by"),
+    ],
+}
+
+
+def verdict(name, answer, capsys):
+    exercises.check(name, answer)
+    return capsys.readouterr().out
+
+
+def test_every_exercise_is_tested():
+    assert exercises.EXERCISES.keys() == RIGHT.keys() == WRONG.keys()
+
+
+@pytest.mark.parametrize(
+    ("name", "i"), [(name, i) for name, answers in RIGHT.items() for i in range(len(answers))]
+)
+def test_a_right_answer_passes_in_any_form(name, i, capsys):
+    assert verdict(name, RIGHT[name][i], capsys) == f"{name}: correct.\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "i"), [(name, i) for name, answers in WRONG.items() for i in range(len(answers))]
+)
+def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
+    answer, sentence = WRONG[name][i]
+    said = verdict(name, answer, capsys)
+    assert sentence in said
+    assert "correct" not in said
+
+
+@pytest.mark.parametrize("name", exercises.EXERCISES)
+def test_the_worked_solution_is_right(name, capsys):
+    namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, q=ANGLES)
+    namespace |= {symbol.name: symbol for symbol in (*Q, *P)}
+    shown = exercises.solution(name).data
+    exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)
+    assert verdict(name, namespace["answer"], capsys) == f"{name}: correct.\n"
+
+
+@pytest.mark.parametrize("name", exercises.EXERCISES)
+def test_there_are_two_hints_and_the_first_points_to_the_second(name, capsys):
+    exercises.hint(name)
+    assert f'exercises.hint("{name}", 2)' in capsys.readouterr().out
+    exercises.hint(name, 2)
+    assert "hint 2 of 2" in capsys.readouterr().out
+    with pytest.raises(UnknownNameError, match="There is: 1, 2"):
+        exercises.hint(name, 3)
+
+
+def test_an_unknown_exercise_gets_the_list_of_known_ones():
+    with pytest.raises(UnknownNameError, match=r"no exercise 'A1.9'. There is: A1.1, A1.2, A1.3"):
+        exercises.check("A1.9", 0)

@@ -1,0 +1,56 @@
+"""Figures are shown with a caption, closed, and saved where and when they are asked for."""
+
+import matplotlib.pyplot as plt
+import pytest
+from PIL import Image
+
+from lynx_common.course import figures
+
+
+def line():
+    fig, ax = plt.subplots(figsize=(2, 1))
+    ax.plot([0, 1])
+    return fig
+
+
+@pytest.fixture
+def fig():
+    yield line()
+    plt.close("all")
+
+
+@pytest.fixture
+def shown(monkeypatch):
+    outputs = []
+    monkeypatch.setattr(figures, "display", lambda *things: outputs.extend(things))
+    return outputs
+
+
+def test_a_figure_is_shown_once_with_its_words_and_closed(fig, shown, monkeypatch):
+    monkeypatch.delenv("LYNX_FIGURES", raising=False)
+    figures.publish(fig, "1.2", "A line.")
+    picture, caption = shown
+    assert picture.data.startswith(b"\x89PNG")
+    assert picture.alt == caption.data == "**Fig. 1.2.** A line."
+    assert not plt.get_fignums()
+
+
+def test_files_are_written_where_make_figures_asks_and_are_the_same_each_time(fig, shown, monkeypatch, tmp_path):
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
+    monkeypatch.setitem(plt.rcParams, "svg.hashsalt", "lynx")
+    figures.publish(fig, "1.2")
+    first = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert sorted(first) == ["fig-1.2.pdf", "fig-1.2.png", "fig-1.2.svg"]
+    assert Image.open(tmp_path / "fig-1.2.png").size == (600, 300)
+    figures.publish(line(), "1.2")
+    assert first == {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+
+
+def test_only_the_figure_asked_for_is_written(fig, shown, monkeypatch, tmp_path):
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    monkeypatch.setenv("LYNX_FIGURE", "1.1")
+    figures.publish(fig, "1.2")
+    assert not list(tmp_path.iterdir())
+    figures.publish(fig, "1.1")
+    assert len(list(tmp_path.iterdir())) == 3

@@ -1,0 +1,142 @@
+"""The ledger: it holds what it should, and a verdict that is not the one found is refused."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib as mpl
+import nbformat
+import numpy as np
+import pytest
+import sympy as sp
+
+from lynx_common import arm, dh
+from lynx_common.course import figures, report
+from lynx_common.course.report.item import Item, differs
+from lynx_common.errors import InputError, LedgerError, UnknownNameError
+
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+HOLDS = {"where": "1.1", "says": "so", "notebook": "A1_forward_kinematics", "verdict": "holds"}
+x, y = sp.symbols("x y", real=True)
+
+
+def source(notebook: str) -> list[str]:
+    book = nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4)
+    return [cell.source for cell in book.cells if cell.cell_type == "code"]
+
+
+@pytest.fixture(scope="module")
+def checked() -> dict[str, object]:
+    """What every notebook of the ledger hands to ``report.check``, by key; the notebooks are run here."""
+    calls: dict[str, object] = {}
+    mpl.use("agg")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(report, "check", lambda key, derived: calls.update({key: derived}))
+        patch.setattr(figures, "show", lambda fig, caption: mpl.pyplot.close(fig))
+        for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
+            namespace: dict[str, object] = {}
+            for cell in source(notebook):
+                exec(cell, namespace)
+    return calls
+
+
+def test_section_1_1_is_complete():
+    keys = {"eq. 1.1", "eq. 1.2", "Table 1.1", "Table 1.2", "Table 1.3", "Fig. 1.1", "Fig. 1.2"}
+    assert keys <= report.LEDGER.keys()
+
+
+@pytest.mark.parametrize("key", report.LEDGER)
+def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
+    item = report.LEDGER[key]
+    book = nbformat.read(NOTEBOOKS / f"{item.notebook}.ipynb", 4)
+    cells = [c for c in book.cells if c.cell_type == "code" and f'report.check("{key}"' in c.source]
+    assert len(cells) == 1
+    printed = "".join(output.get("text", "") for output in cells[0].outputs)
+    assert f"{key} {item.verdict}\n" in printed
+
+
+@pytest.mark.parametrize("key", report.LEDGER)
+def test_a_flipped_verdict_is_refused(key, checked, monkeypatch):
+    """What the notebook derived passes with the recorded verdict, and with neither of the other two kinds."""
+    item, derived = report.LEDGER[key], checked[key]
+    report.check(key, derived)
+    others = {"holds": "holds", "holds, if": "holds, if so", "wrong": "wrong: not so"}
+    del others[item.kind]
+    for verdict in others.values():
+        flipped = replace(item, verdict=verdict, condition={x: y}, right=item.value)
+        monkeypatch.setitem(report.LEDGER, key, flipped)
+        with pytest.raises(LedgerError):
+            report.check(key, derived)
+
+
+def test_a_wrong_derivation_is_refused_for_every_kind_of_verdict(checked):
+    T = dh.chain(arm.dh_table())[-1]
+    wrong = T.copy()
+    wrong[0, 3] = -wrong[0, 3]
+    with pytest.raises(LedgerError, match=r"entry \(0, 3\)"):
+        report.check("eq. 1.2", wrong)
+    with pytest.raises(LedgerError, match="off by"):
+        report.check("Fig. 1.2", checked["Fig. 1.2"] + [0, 0, 1e-6])
+    with pytest.raises(LedgerError, match="entry"):
+        report.check("Table 1.1", checked["Table 1.1"].subs(arm.Q[3], -arm.Q[3]))
+    with pytest.raises(InputError, match="True or False"):
+        report.check("claim A1.1", sp.Integer(0))
+
+
+def test_digits_are_compared_to_half_a_unit_of_the_last_one():
+    printed = np.array([0.2156])
+    assert not differs(printed, [0.21564], 4)
+    assert not differs(printed, [0.21555], 4)
+    assert differs(printed, [0.21566], 4)
+    assert differs(printed, [np.nan], 4)
+    assert differs(printed, [0.2156, 0], 4) == "the shape is (2,), not (1,)"
+
+
+def test_expressions_are_compared_by_what_they_mean():
+    assert not differs(sp.sin(x) ** 2, 1 - sp.cos(x) ** 2)
+    assert not differs(sp.Matrix([x + x, 0]), sp.Matrix([2 * x, 0]))
+    assert not differs(sp.Eq(y, x).rhs, sp.Eq(y, x))
+    assert differs(sp.sin(x), sp.cos(x)) == "entry (0, 0) is cos(x), not sin(x)"
+    assert differs(sp.Matrix([x, 0]), sp.Matrix([x])) == "the shape is (1, 1), not (2, 1)"
+    assert differs(sp.sqrt(x**2), x)  # equal for positive x only
+
+
+def test_a_wrong_item_passes_only_with_what_is_recorded_as_right(monkeypatch):
+    item = Item("eq. 9.9", printed=sp.Eq(y, x - 1), right=x + 1, **HOLDS | {"verdict": "wrong: the sign is +"})
+    monkeypatch.setitem(report.LEDGER, item.key, item)
+    report.check("eq. 9.9", 1 + x)
+    for derived in (x - 1, x + 2):
+        with pytest.raises(LedgerError):
+            report.check("eq. 9.9", derived)
+
+
+def test_a_conditional_item_passes_only_where_the_condition_is_needed_and_enough(monkeypatch):
+    item = Item("eq. 9.9", printed=x, condition={y: sp.Integer(0)}, **HOLDS | {"verdict": "holds, if y = 0"})
+    monkeypatch.setitem(report.LEDGER, item.key, item)
+    report.check("eq. 9.9", x + y)
+    for derived in (x, x + y + 1):
+        with pytest.raises(LedgerError):
+            report.check("eq. 9.9", derived)
+
+
+@pytest.mark.parametrize("verdict", ["fine", "holds, if so", "wrong: so"])
+def test_a_verdict_without_its_reason_cannot_be_recorded(verdict):
+    with pytest.raises(ValueError, match=r"eq. 9.9"):
+        Item("eq. 9.9", printed=x, **HOLDS | {"verdict": verdict})
+
+
+def test_an_unknown_key_gets_the_list_of_known_ones():
+    with pytest.raises(
+        UnknownNameError, match=re.escape("There is no item of the report 'eq. 0'. There is: eq. 1.1")
+    ):
+        report.check("eq. 0", x)
+
+
+def test_tables_hold_one_row_an_item():
+    table = report.summary("A1_forward_kinematics").data.splitlines()
+    assert len(table) == 2 + len(report.LEDGER)
+    assert all(line.count("|") == 5 for line in table)
+    not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
+    assert len(report.errata().data.splitlines()) == 2 + len(not_holding)
+    with pytest.raises(UnknownNameError):
+        report.summary("A9")

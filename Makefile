@@ -22,7 +22,7 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
 bench: .venv/ready  ## measure speed and memory
-	$(VENV)/pytest -o addopts= -o python_files='bench_*.py' tests/benchmarks
+	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
 browser: .venv/ready .venv-browser/ready  ## move a slider in a real Chromium
 	.venv-browser/bin/python tests/browser_check.py notebooks/A1_forward_kinematics.ipynb

@@ -66,7 +66,7 @@ def test_moving_lines_is_drawing_them_anew(views):
 
 def test_labels_stand_at_the_joints_of_the_picture(views):
     space, plane = views
-    drawing.space_3d(space, (-0.5, 0.5), (-0.5, 0.5), (0, 0.6))
+    drawing.space_3d(space, arm.joint_positions(Q))
     drawing.arm_side_view(plane, Q)
     drawing.label_joints(plane, Q)
     drawing.label_joints(space, Q)
@@ -75,10 +75,14 @@ def test_labels_stand_at_the_joints_of_the_picture(views):
     np.testing.assert_allclose([text.xy for text in plane.texts], in_plane(arm.joint_positions(Q)).T)
 
 
-def test_a_box_in_space_has_equal_scales(views):
-    drawing.space_3d(views[0], (-0.1, 0.3), (-0.2, 0.4), (0, 0.5))
-    box = views[0].get_box_aspect()
-    np.testing.assert_allclose(box / box[0], np.array([0.4, 0.6, 0.5]) / 0.4)
+def test_a_box_in_space_has_equal_scales_and_holds_the_points_and_the_floor(views, rng):
+    points = rng.uniform([-0.1, -0.2, 0.3], [0.3, 0.4, 0.5], (2, 50, 3))
+    ax = drawing.space_3d(views[0], points)
+    low, high = np.transpose([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
+    assert (low <= points.min(axis=(0, 1))).all()
+    assert (high >= points.max(axis=(0, 1))).all()
+    assert low[2] == 0
+    np.testing.assert_allclose(ax.get_box_aspect() / ax.get_box_aspect()[0], (high - low) / (high - low)[0])
 
 
 def test_the_schema_names_every_joint_angle_length_and_axis():

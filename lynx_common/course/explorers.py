@@ -61,8 +61,7 @@ def _arm_view(geometry: arm.Geometry) -> Callable[[np.ndarray, bool], bytes]:
     d_1, *links = geometry
     reach, q = sum(links), np.deg2rad(HOME_DEG)
     fig, space, plane = drawing.two_views(9, 4.2)
-    side = (-0.8 * reach, 0.8 * reach)
-    drawing.space_3d(space, side, side, (0, d_1 + 0.8 * reach))
+    drawing.space_3d(space, 0.8 * reach * np.array([[-1, -1, 0], [1, 1, 1]]) + [0, 0, d_1])
     plane.set(xlim=(-1.1 * reach, 1.1 * reach), ylim=(d_1 - 1.1 * reach, d_1 + 1.1 * reach))
     frames = arm.link_frames(q, geometry)
     links = drawing.arm_3d(space, q, geometry), drawing.arm_side_view(plane, q, geometry)

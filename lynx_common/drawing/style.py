@@ -2,11 +2,10 @@
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
-
-Limits = tuple[float, float]
 
 # The palette of Okabe and Ito, which readers with any common colour blindness can tell apart.
 COLOURS = {
@@ -46,10 +45,18 @@ def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, A
     return fig, fig.add_subplot(1, 2, 1, projection="3d"), fig.add_subplot(1, 2, 2)
 
 
-def space_3d(ax: Axes3D, x: Limits, y: Limits, z: Limits, azimuth: float = -60) -> Axes3D:
-    """A 3-D view with equal scales of the box ``x``, ``y``, ``z`` (metres), seen from ``azimuth`` (degrees)."""
-    ax.set(xlim=x, ylim=y, zlim=z, xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
-    ax.set_box_aspect([high - low for low, high in (x, y, z)], zoom=1.0)
+def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60) -> Axes3D:
+    """A 3-D view with equal scales that holds ``points``, (..., 3) metres, and the floor below them.
+
+    ``azimuth`` is the direction from which it is seen, in degrees from x.
+    """
+    points = points.reshape(-1, 3)
+    low, high = points.min(axis=0), points.max(axis=0)
+    pad = 0.1 * (high - low).max() * np.array([1, 1, 0])
+    low, high = np.minimum(low - pad, [np.inf, np.inf, 0]), high + pad
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
+    ax.set_box_aspect(high - low)
     ax.view_init(elev=22, azim=azimuth)
     ax.locator_params(nbins=4)
     return ax

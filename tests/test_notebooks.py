@@ -18,7 +18,7 @@ from PIL import Image
 from strict_nbval import code_cells, picture_difference, pixels
 
 from lynx_common.course.execute import NOTEBOOKS, ROOT
-from lynx_common.course.kernel import execute
+from lynx_common.course.kernel import METADATA, execute
 
 SMALL = [
     "import matplotlib.pyplot as plt\nimport sympy as sp\nfrom ipywidgets import Image",
@@ -192,6 +192,7 @@ SPOILS = {
 
 def test_a_second_run_changes_no_byte(small):
     assert execute(small).encode() == small.read_bytes()
+    assert nbformat.read(small, as_version=4).metadata == METADATA
 
 
 @pytest.mark.parametrize(("label", "other"), ["08", "38", "56", "35", "17"])

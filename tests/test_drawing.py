@@ -29,6 +29,11 @@ def test_the_links_join_the_joints_in_both_views(views):
     assert plane.get_aspect() == 1
 
 
+def test_the_view_from_above_leaves_out_the_height(views):
+    flat, _ = drawing.arm_top_view(views[1], Q)
+    np.testing.assert_allclose(flat.get_data(), arm.joint_positions(Q)[:, :2].T)
+
+
 def test_the_side_view_shows_links_at_full_length(views):
     flat, _ = drawing.arm_side_view(views[1], Q)
     np.testing.assert_allclose(np.hypot(*np.diff(flat.get_data())), list(arm.LYNX))

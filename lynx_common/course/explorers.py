@@ -28,7 +28,7 @@ def arm_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
     ]
     with_frames = widgets.Checkbox(description="link frames", indent=False)
     reset = widgets.Button(description="reset")
-    readout, image = widgets.HTML(), widgets.Image(format="png")
+    readout, image = widgets.HTML(), widgets.Image(layout=widgets.Layout(width="760px", height="380px"))
     picture = _arm_view(geometry)
 
     def update(_: object = None) -> None:
@@ -44,13 +44,13 @@ def arm_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
         control.observe(update, "value")
     reset.on_click(home)
     update()
-    controls = widgets.VBox([*sliders, with_frames, reset, readout])
-    return widgets.HBox([controls, image])
+    controls = widgets.VBox([*sliders, with_frames, reset, readout], layout=widgets.Layout(flex="0 0 310px"))
+    return widgets.HBox([controls, image], layout=widgets.Layout(flex_flow="row wrap"))
 
 
 def _slider(name: str, limits: np.ndarray, value: float) -> widgets.FloatSlider:
     low, high = limits
-    layout = widgets.Layout(width="320px")
+    layout = widgets.Layout(width="300px")
     return widgets.FloatSlider(
         value, min=low, max=high, step=1, description=name, readout_format=".0f", layout=layout
     )
@@ -60,7 +60,7 @@ def _arm_view(geometry: arm.Geometry) -> Callable[[np.ndarray, bool], bytes]:
     """The picture of ``arm_explorer`` as a function of the joint angles and of whether frames are shown."""
     d_1, *links = geometry
     reach, q = sum(links), np.deg2rad(HOME_DEG)
-    fig, space, plane = drawing.two_views(9, 4.2)
+    fig, space, plane = drawing.two_views(7.6, 3.8)
     drawing.space_3d(space, 0.8 * reach * np.array([[-1, -1, 0], [1, 1, 1]]) + [0, 0, d_1])
     plane.set(xlim=(-1.1 * reach, 1.1 * reach), ylim=(d_1 - 1.1 * reach, d_1 + 1.1 * reach))
     frames = arm.link_frames(q, geometry)

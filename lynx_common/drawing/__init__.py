@@ -3,19 +3,21 @@
 A function that draws computes nothing: it asks the robot's module where things are.
 """
 
-from .arm import arm_3d, arm_side_view, frames_3d, frames_side_view, gripper, label_joints, move
-from .schema import dh_schema, wrist_schema
+from .arm import arm_3d, arm_side_view, arm_top_view, frames_3d, frames_side_view, gripper, label_joints, move
+from .schema import dh_schema, link_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
 __all__ = [
     "COLOURS",
     "arm_3d",
     "arm_side_view",
+    "arm_top_view",
     "dh_schema",
     "frames_3d",
     "frames_side_view",
     "gripper",
     "label_joints",
+    "link_schema",
     "move",
     "space_3d",
     "two_views",

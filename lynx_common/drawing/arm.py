@@ -6,6 +6,7 @@ Each drawing is a few polylines, so that a moving picture can update them (``mov
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.proj3d import proj_transform
 
@@ -24,23 +25,21 @@ JOINT_LABELS = {
 
 def arm_3d(ax: Axes3D, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
     """Links and gripper for joint angles ``q``, (5,) radians; returns the lines, for ``move``."""
-    links, fork = _polylines(q, geometry)
-    style = {"color": COLOURS["link"]} | style
-    return [
-        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
-        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
-    ]
+    return _draw(ax, *_polylines(q, geometry), style)
 
 
 def arm_side_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
     """The same, seen square to the arm's own plane: distance along the arm's azimuth, and height, in metres."""
     links, fork = (_in_plane(points, q) for points in _polylines(q, geometry))
-    style = {"color": COLOURS["link"]} | style
-    ax.set(xlabel="r, along the arm [m]", ylabel="z [m]", aspect="equal")
-    return [
-        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
-        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
-    ]
+    ax.set(xlabel="r, from the base axis [m]", ylabel="z [m]", aspect="equal")
+    return _draw(ax, links, fork, style)
+
+
+def arm_top_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
+    """The same, seen from above."""
+    links, fork = _polylines(q, geometry)
+    ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    return _draw(ax, links[:, :2], fork[:, :2], style)
 
 
 def frames_3d(ax: Axes3D, T: np.ndarray, length: float = 0.06) -> list[Line2D]:
@@ -81,7 +80,8 @@ def label_joints(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> 
     places = _in_plane(points, q) if places is None else places
     for (name, offset), place in zip(JOINT_LABELS.items(), places, strict=True):
         side = {-1: "right", 0: "center", 1: "left"}[np.sign(offset[0])]
-        ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)
+        label = ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)
+        label.set_path_effects([withStroke(linewidth=3, foreground="white")])
 
 
 def gripper(T: np.ndarray, size: float) -> np.ndarray:
@@ -98,6 +98,14 @@ def _polylines(q: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
     return [
         arm.joint_positions(q, geometry),
         gripper(arm.forward_kinematics(q, geometry), 0.06 * sum(geometry)),
+    ]
+
+
+def _draw(ax: Axes, links: np.ndarray, fork: np.ndarray, style: dict) -> list[Line2D]:
+    style = {"color": COLOURS["link"]} | style
+    return [
+        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
+        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
     ]
 
 

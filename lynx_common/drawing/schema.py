@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
-from .. import arm
+from .. import arm, dh
 from .style import COLOURS
 
 # The pose drawn: upper arm raised, forearm lowered, gripper level.
@@ -31,7 +31,7 @@ def dh_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
         _cylinder(ax, at, axis_frame[:3, 2], 0.015 * size)
         ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
     for i in (0, 1, 2, 3, 5):
-        _triad(ax, T[i], 0.06 * size, i)
+        _triad(ax, T[i], 0.05 * size, i)
     sides = (0.07, 0.075, 0.06, -0.055)  # of the line between the joints, clear of the frames
     for name, start, end, side in zip(("d_1", "L_1", "L_2", "L_3"), points[:-1], points[1:], sides, strict=True):
         _dimension(ax, start @ VIEW, end @ VIEW, side * size, f"${name}$")
@@ -52,6 +52,42 @@ def wrist_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
         _triad(ax, frame, 0.09, i)
         ax.text(*(frame[:3, 3] @ VIEW + [0.02, -0.09]), text, ha="center", va="top")
     return _bare(ax)
+
+
+def link_schema(ax: Axes) -> Axes:
+    """One link in general: how theta, d, a and alpha lead from frame i-1 to frame i; report eq. (1.1)."""
+    a, alpha, d, theta = 0.36, -0.75, 0.17, 0.6
+    end = np.array(dh.standard(dh.Row(a, alpha, d, theta)), float)
+    tip, z, x_before, x = end[:3, 3], np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), end[:3, 0]
+    foot = d * z
+    _polyline(ax, [0 * z, foot, tip], color="black", linewidth=3, zorder=1)
+    for point, axis in ((0 * z, z), (tip, end[:3, 2])):
+        _polyline(
+            ax, [point - 0.06 * axis, point + 0.26 * axis], color=COLOURS["aid"], linestyle="--", linewidth=1
+        )
+    _polyline(ax, [foot, foot + 0.18 * x_before], color=COLOURS["x"], linestyle=":")
+    _polyline(ax, [tip, tip + 0.2 * z], color=COLOURS["z"], linestyle=":")
+    _triad(ax, np.eye(4), 0.07, "{i-1}")
+    _triad(ax, end, 0.07, "i")
+    _angle(ax, foot, 0.14, x_before, np.cross(z, x_before), theta, r"$\theta$")
+    _angle(ax, tip, 0.17, z, np.cross(x, z), alpha, r"$\alpha$")
+    for name, middle in (("$d$", foot / 2), ("$a$", (foot + tip) / 2)):
+        ax.annotate(name, middle @ VIEW, xytext=(-18, 8), textcoords="offset points", fontsize=13)
+    return _bare(ax)
+
+
+def _polyline(ax: Axes, points: list[np.ndarray], **style) -> None:
+    ax.plot(*np.transpose(np.array(points) @ VIEW), **style)
+
+
+def _angle(
+    ax: Axes, centre: np.ndarray, radius: float, u: np.ndarray, v: np.ndarray, angle: float, name: str
+) -> None:
+    """An arc about ``centre`` from the direction ``u`` by ``angle`` towards ``v``, with its name beyond it."""
+    turn = np.linspace(0, angle, 31)[:, None]
+    arc = radius * (np.cos(turn) * u + np.sin(turn) * v)
+    _polyline(ax, centre + arc, color="black", linewidth=1)
+    ax.text(*((centre + 1.2 * arc[15]) @ VIEW), name, ha="center", va="center", fontsize=13)
 
 
 def _bare(ax: Axes) -> Axes:

@@ -13,15 +13,24 @@ OFFSET = np.array([0, 0, 0, QUARTER, 0])
 TURN = np.array([QUARTER, 0, 0, 0, 0])
 
 
-def _level_error(q: np.ndarray) -> float:
+def _level_off(q: np.ndarray) -> tuple[float, float]:
+    """Metres between the gripper and its place, and degrees between its axis and +y."""
     d_1, *links = arm.LYNX
-    position = np.array([0, sum(links), d_1])
     pose = arm.forward_kinematics(q)
-    return max(np.linalg.norm(pose[:3, 3] - position), np.linalg.norm(pose[:3, 2] - [0, 1, 0]))
+    away = np.linalg.norm(pose[:3, 3] - [0, sum(links), d_1])
+    return away, np.rad2deg(np.arctan2(np.linalg.norm(np.cross(pose[:3, 2], [0, 1, 0])), pose[1, 2]))
 
 
 def _level(q: np.ndarray) -> bool:
-    return _level_error(q) <= TOLERANCE
+    away, turned = _level_off(q)
+    return max(away, np.deg2rad(turned)) <= TOLERANCE
+
+
+def _describe_level(q: np.ndarray) -> str:
+    away, turned = _level_off(q)
+    if max(away, np.deg2rad(turned)) < 0.01:
+        return "nearly; use np.pi / 2 rather than a rounded number."
+    return f"the gripper is {away:.3f} m from its place, and its axis is {turned:.0f} deg off +y."
 
 
 # A1.2: the camera on the forearm, for the angles of report Table 1.3.
@@ -31,6 +40,17 @@ CAMERA = np.array(dh.trans(-0.1, 0.03, 0), float)
 
 def _forearm(q: np.ndarray = ANGLES) -> np.ndarray:
     return arm.link_frames(q)[3]
+
+
+def _camera_error(pose: np.ndarray) -> float:
+    return float(np.abs(pose - _forearm() @ CAMERA).max())
+
+
+def _describe_camera(pose: np.ndarray) -> str:
+    right = _forearm() @ CAMERA
+    axes_right = np.abs(pose - right)[:3, :3].max() <= TOLERANCE
+    away = np.linalg.norm((pose - right)[:3, 3])
+    return f"the axes are {'right' if axes_right else 'not right'}, and the origin is {away:.3f} m from its place."
 
 
 def _is(pose: np.ndarray, other: np.ndarray) -> bool:
@@ -58,10 +78,18 @@ def _off(position: sp.Matrix, other: sp.Matrix = TOOL) -> float:
     return float(np.abs(numeric(position - other, SCARA_SYMBOLS)(samples)).max())
 
 
+def _describe_tool(p: sp.Matrix) -> str:
+    right = [_off(p[i : i + 1, :], TOOL[i : i + 1, :]) <= TOLERANCE for i in range(3)]
+    return (
+        ", ".join(f"{name} is {'right' if ok else 'not right'}" for name, ok in zip("xyz", right, strict=True))
+        + "."
+    )
+
+
 EXERCISES = {
     "A1.1": Exercise(
         read=numbers((5,)),
-        error=_level_error,
+        error=lambda q: 0.0 if _level(q) else np.inf,
         misconceptions=(
             (lambda q: _level(np.deg2rad(q)), "this is right in degrees, and the package works in radians."),
             (
@@ -72,9 +100,10 @@ EXERCISES = {
                 lambda q: _level(np.deg2rad(q) + OFFSET),
                 "these are degrees, and theta_4 of Table 1.1; radians and theta_4 of Table 1.2 are expected.",
             ),
-            (lambda q: _level(q + TURN), "the arm lies along +x; swap the axes."),
+            (lambda q: _level(q + TURN), "the arm lies along +x; theta_1 turns it about the vertical, to +y."),
             (lambda q: _level(q + 2 * TURN), "the arm lies along -y; turn it half round."),
         ),
+        describe=_describe_level,
         hints=(
             "Which joint alone decides in which vertical plane the arm lies?",
             "With theta_2 = theta_3 = 0 both links are level. The gripper's axis is then at theta_4 - 90 deg.",
@@ -87,11 +116,12 @@ EXERCISES = {
     ),
     "A1.2": Exercise(
         read=numbers((4, 4)),
-        error=lambda pose: float(np.abs(pose - _forearm() @ CAMERA).max()),
+        error=_camera_error,
         misconceptions=(
             (
                 lambda pose: _is(pose, CAMERA @ _forearm()),
-                "the product is in the wrong order: a pose given in frame 3 stands to the right of T_0_3.",
+                "the shift was taken along the axes of the base. It is given in frame 3, so in the product it "
+                "stands to the right of T_0_3: mind the order.",
             ),
             (
                 lambda pose: _is(pose, _forearm(np.rad2deg(ANGLES)) @ CAMERA),
@@ -101,11 +131,13 @@ EXERCISES = {
                 lambda pose: _is(pose, arm.link_frames(ANGLES)[5] @ CAMERA),
                 "this camera sits on the gripper; it was to sit on the forearm, which carries frame 3.",
             ),
+            (lambda pose: _is(pose, _forearm()), "this is frame 3 itself; the camera is shifted from it."),
             (lambda pose: _is(pose, np.linalg.inv(_forearm() @ CAMERA)), "this is the base seen from the camera."),
             (lambda pose: _is(pose.T, _forearm() @ CAMERA), "this is the transpose of the pose."),
         ),
+        describe=_describe_camera,
         hints=(
-            "Frame 3 moves with the forearm. Which function of the package gives all the link frames at once?",
+            "Frame 3 moves with the forearm. `numeric` makes a function of its pose T_0_3, as it did of T_0_5.",
             "Neighbouring indices must match: T_0_c = T_0_3 T_3_c.",
         ),
         explanation="Read the indices: $T_{0c} = T_{03} T_{3c}$. A transform that is given in the moving frame is "
@@ -133,9 +165,10 @@ EXERCISES = {
                 "both joint axes are vertical, so no joint angle changes the height.",
             ),
         ),
+        describe=_describe_tool,
         hints=(
             "Seen from above it is a planar arm with two links. At which angle from x does the second link point?",
-            "As a standard DH table: Row(L_1, 0, d_1, theta_1), Row(L_2, pi, 0, theta_2), Row(0, 0, d_3, 0).",
+            "A standard DH table of it has three rows. Which alpha in the second turns z down the slide?",
         ),
         explanation="The first row lifts by $d_1$ and reaches out by $L_1$; the second reaches out by $L_2$ "
         "and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ lowers the tool.",

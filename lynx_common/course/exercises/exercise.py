@@ -22,31 +22,30 @@ class Exercise:
     read : turns an answer of any accepted form into one form; raises UnreadableAnswerError
     error : how far that is from the nearest right answer, 0 where it is right
     misconceptions : pairs of a test of an answer that is not right, and what to tell its author
+    describe : what to tell where none of them is recognised: which part is off, and by how much
     hints, explanation, code : the way there; ``code`` sets ``answer``
     """
 
     read: Callable[[object], Any]
     error: Callable[[Any], float]
     misconceptions: tuple[tuple[Callable[[Any], bool], str], ...]
+    describe: Callable[[Any], str]
     hints: tuple[str, ...]
     explanation: str
     code: str
 
     def judge(self, answer: object) -> str:
         """One sentence about ``answer``."""
-        if answer is ...:
+        if answer is ... or answer is None:
             return "not attempted yet; put your answer in place of the dots."
         try:
             value = self.read(answer)
         except UnreadableAnswerError as fault:
             return str(fault)
-        error = self.error(value)
-        if error <= TOLERANCE:
+        if self.error(value) <= TOLERANCE:
             return "correct."
-        for recognised, sentence in self.misconceptions:
-            if recognised(value):
-                return f"not yet: {sentence}"
-        return f"not yet; off by {error:.3g}."
+        recognised = (sentence for test, sentence in self.misconceptions if test(value))
+        return f"not yet: {next(recognised, None) or self.describe(value)}"
 
 
 def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
@@ -56,7 +55,7 @@ def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
         try:
             value = np.array(answer, dtype=complex)
         except (TypeError, ValueError):
-            raise UnreadableAnswerError(f"numbers are expected, not {type(answer).__name__}.") from None
+            raise UnreadableAnswerError("numbers are expected; no symbols, words or dots may be left.") from None
         if value.shape not in (shape, (*shape, 1), (1, *shape)):
             raise UnreadableAnswerError(f"shape {value.shape}, where {shape} is expected.")
         if not np.isfinite(value).all() or np.abs(value.imag).max() > 0:
@@ -75,7 +74,9 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
             value = sp.Matrix(answer)
         except (TypeError, ValueError):
             raise UnreadableAnswerError(f"{size} expressions are expected, not {type(answer).__name__}.") from None
-        value = value[:3, 3] if value.shape == (4, 4) else value
+        value = value[:size, 3] if value.shape == (4, 4) else value
+        if len(value) == size + 1 and value[size] == 1:
+            value = value.reshape(size + 1, 1)[:size, :]
         if len(value) != size:
             raise UnreadableAnswerError(f"{len(value)} entries, where {size} are expected.")
         value = value.reshape(size, 1).subs({s: by_name.get(s.name, s) for s in value.free_symbols})

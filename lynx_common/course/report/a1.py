@@ -98,8 +98,8 @@ ITEMS = [
         says="joints and frames of the arm; drawn with the gripper level, x_5 up and z_5 forward",
         printed=sp.Matrix([[0, 0, 1], [0, -1, 0], [1, 0, 0]]),
         notebook=NOTEBOOK,
-        verdict="holds, if 90 deg are added to theta_4 of Table 1.2",
-        condition={theta_4: QUARTER},
+        verdict="holds, if theta_2 + theta_3 + theta_4 = 90 deg with theta_4 of Table 1.2, or 0 with Table 1.1",
+        condition={theta_4: QUARTER - theta_2 - theta_3},
     ),
     Item(
         key="Fig. 1.2",

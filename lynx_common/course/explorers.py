@@ -28,7 +28,7 @@ def arm_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
     ]
     with_frames = widgets.Checkbox(description="link frames", indent=False)
     reset = widgets.Button(description="reset")
-    readout, image = widgets.HTML(), widgets.Image(layout=widgets.Layout(width="760px", height="380px"))
+    readout, image = widgets.HTML(), widgets.Image(layout=widgets.Layout(width="680px", height="340px"))
     picture = _arm_view(geometry)
 
     def update(_: object = None) -> None:
@@ -44,23 +44,22 @@ def arm_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
         control.observe(update, "value")
     reset.on_click(home)
     update()
-    controls = widgets.VBox([*sliders, with_frames, reset, readout], layout=widgets.Layout(flex="0 0 310px"))
+    controls = widgets.VBox([*sliders, with_frames, reset, readout], layout=widgets.Layout(flex="0 0 260px"))
     return widgets.HBox([controls, image], layout=widgets.Layout(flex_flow="row wrap"))
 
 
 def _slider(name: str, limits: np.ndarray, value: float) -> widgets.FloatSlider:
     low, high = limits
-    layout = widgets.Layout(width="300px")
-    return widgets.FloatSlider(
-        value, min=low, max=high, step=1, description=name, readout_format=".0f", layout=layout
-    )
+    slider = widgets.FloatSlider(value, min=low, max=high, step=1, description=name, readout_format=".0f")
+    slider.style.description_width, slider.layout.width = "25px", "250px"
+    return slider
 
 
 def _arm_view(geometry: arm.Geometry) -> Callable[[np.ndarray, bool], bytes]:
     """The picture of ``arm_explorer`` as a function of the joint angles and of whether frames are shown."""
     d_1, *links = geometry
     reach, q = sum(links), np.deg2rad(HOME_DEG)
-    fig, space, plane = drawing.two_views(7.6, 3.8)
+    fig, space, plane = drawing.two_views(8, 4)
     drawing.space_3d(space, 0.8 * reach * np.array([[-1, -1, 0], [1, 1, 1]]) + [0, 0, d_1])
     plane.set(xlim=(-1.1 * reach, 1.1 * reach), ylim=(d_1 - 1.1 * reach, d_1 + 1.1 * reach))
     frames = arm.link_frames(q, geometry)
@@ -99,6 +98,6 @@ def _over_a_background(fig: Figure, moving: list[Artist]) -> Callable[[], bytes]
 
 
 def _pose_as_text(pose: np.ndarray) -> str:
-    rows = "\n".join("  ".join(f"{value + 0.0:7.4f}" for value in np.round(row, 4) + 0.0) for row in pose)
+    rows = "\n".join(" ".join(f"{value:6.3f}" for value in np.round(row, 3) + 0.0) for row in pose)
     x, y, z = np.round(pose[:3, 3], 4) + 0.0
     return f"<pre>T_0_5 =\n{rows}\n\ngripper at\n({x:.4f}, {y:.4f}, {z:.4f}) m</pre>"

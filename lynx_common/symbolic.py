@@ -18,6 +18,11 @@ from .errors import InputError
 Q = sp.symbols("theta_1:6", real=True)
 P = sp.symbols("d_1 L_1:4", nonnegative=True)
 
+# What the five joints of the arm set: azimuth of its plane, signed distance from the base axis, height,
+# pitch and roll of the gripper; and the wrist in that plane, seen from the shoulder.
+TASK = sp.symbols("azimuth r z pitch roll", real=True)
+WRIST = sp.symbols("r_wrist h", real=True)
+
 # One row of a DH table, in general; report eq. (1.1).
 ROW = sp.symbols("a alpha d theta", real=True)
 
@@ -54,7 +59,7 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
         raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
 
     def f(*arrays: np.ndarray) -> np.ndarray:
-        arrays = [_real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
+        arrays = [real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
         batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
         size = prod(batch)
         flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
@@ -72,8 +77,8 @@ def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...]
     return sp.lambdify(vectors, list(entries), modules="numpy", cse=True)
 
 
-def _real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
-    """``x`` as float64, refused where it is complex or its last axis does not match ``symbols``."""
+def real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
+    """``x`` as float64; InputError where it is complex or its last axis does not match ``symbols``."""
     x = np.asarray(x)
     if np.iscomplexobj(x):
         raise InputError(f"Real numbers are expected for {_named(symbols)}; complex ones were given.")

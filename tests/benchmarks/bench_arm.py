@@ -1,4 +1,4 @@
-"""Speed and memory of the arm's forward kinematics, against what the work must cost at least.
+"""Speed and memory of the arm's forward and inverse kinematics, against what the work must cost at least.
 
 Each ratio compares two medians of one run, since machines differ and are noisy.
 """
@@ -60,3 +60,12 @@ def test_a_million_poses_need_at_most_50_mb_beside_the_result(q):
 def test_one_pose_at_most_60_microseconds(benchmark, q):
     benchmark(arm.forward_kinematics, q[0])
     assert benchmark.stats.stats.median <= 60e-6
+
+
+def test_all_branches_of_a_million_poses_at_most_400_nanoseconds_each(benchmark, q):
+    task = arm.task_coordinates(q)
+    position = arm.forward_kinematics(q)[:, :3, 3].copy()
+    benchmark.pedantic(arm.inverse_kinematics, [position, task[:, 3], task[:, 4]], rounds=9, warmup_rounds=2)
+    each = benchmark.stats.stats.median / N
+    print(f"\nfour branches of a pose: {each * 1e9:.0f} ns")
+    assert each <= 400e-9

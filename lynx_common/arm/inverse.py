@@ -15,6 +15,7 @@ BRANCHES = (("front", "up"), ("front", "down"), ("back", "up"), ("back", "down")
 # even where rounding puts it a hair outside. The gripper then misses it by no more than that.
 REACH_TOLERANCE = 1e-9
 
+PART = 4 * CHUNK  # targets worked through at a time, to stay in the processor's cache
 XYZ = sp.symbols("x y z", real=True)
 SIGMA = sp.symbols("sigma", real=True)  # sign of theta_3
 
@@ -73,8 +74,8 @@ def inverse_kinematics(
     target = [np.broadcast_to(position, (*batch, 3)).reshape(-1, 3)]
     target += [np.broadcast_to(x, batch).ravel() for x in (pitch, roll)]
     q = np.empty((len(target[0]), 4, 5))
-    for start in range(0, len(q), CHUNK):  # in parts that stay in the processor's cache
-        part = slice(start, start + CHUNK)
+    for start in range(0, len(q), PART):
+        part = slice(start, start + PART)
         q[part] = _on_reachable(_branches(), front(*(x[part] for x in target)), geometry)
     return q.reshape(*batch, 4, 5)
 
@@ -94,12 +95,12 @@ def angle(value: np.ndarray, name: str) -> np.ndarray:
 def _on_reachable(rows: Callable, task: np.ndarray, geometry: Geometry) -> np.ndarray:
     """``rows`` of joint angles for task coordinates (..., 5), elbow up first; NaN where the links do not reach."""
     at = wrist()(task, geometry)
-    up = np.where(at[..., 0] >= 0, -1.0, 1.0)  # the sign of theta_3 with which the elbow is the higher one
-    q = rows(task, at, up[..., None], geometry)
     distance, nearest, farthest = reach(at, geometry)
     slack = REACH_TOLERANCE * farthest
-    q[(distance < nearest - slack) | (distance > farthest + slack)] = np.nan
-    return q
+    with np.errstate(invalid="ignore"):
+        reached = (distance >= nearest - slack) & (distance <= farthest + slack)
+        up = np.where(at[..., 0] >= 0, -1.0, 1.0)  # the sign of theta_3 with which the elbow is the higher one
+    return rows(task, at, np.where(reached, up, np.nan)[..., None], geometry)  # `numeric` passes NaN on
 
 
 def reach(wrist: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, float, float]:

@@ -15,7 +15,7 @@ BRANCHES = (("front", "up"), ("front", "down"), ("back", "up"), ("back", "down")
 # even where rounding puts it a hair outside. The gripper then misses it by no more than that.
 REACH_TOLERANCE = 1e-9
 
-PART = 4 * CHUNK  # targets worked through at a time, to stay in the processor's cache
+PART = 8 * CHUNK  # targets worked through at a time, to stay in the processor's cache
 XYZ = sp.symbols("x y z", real=True)
 SIGMA = sp.symbols("sigma", real=True)  # sign of theta_3
 

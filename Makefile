@@ -9,7 +9,7 @@ lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=notebooks: 
 	@mkdir -p $(DIR)
 	@for notebook in notebooks/*.ipynb; do \
 	  copy=$(DIR)/$${notebook##*/}; [ -e "$$copy" ] || cp "$$notebook" "$$copy"; done
-	@$(VENV)/jupyter lab --log-level=WARN --LabApp.default_url=/lab/tree/$(DIR)/00_index.ipynb \
+	@$(VENV)/jupyter lab --log-level=WARN --LabApp.news_url=None --LabApp.default_url=/lab/tree/$(DIR)/00_index.ipynb \
 	  $(if $(filter 0,$(shell id -u)),--allow-root)
 
 test: .venv/ready  ## test the package; re-run every notebook and compare every output

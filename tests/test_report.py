@@ -133,9 +133,12 @@ def test_an_unknown_key_gets_the_list_of_known_ones():
 
 
 def test_tables_hold_one_row_an_item():
+    section = [item for item in report.LEDGER.values() if item.notebook == "A1_forward_kinematics"]
     table = report.summary("A1_forward_kinematics").data.splitlines()
-    assert len(table) == 2 + len(report.LEDGER)
+    assert len(table) == 2 + len(section)
     assert all(line.count("|") == 5 for line in table)
+    assert "$\\theta_4$ of Table 1.2" in report.summary("A1_forward_kinematics").data
+    assert report.ledger().data.count(".ipynb)") == len(report.LEDGER)
     not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
     assert len(report.errata().data.splitlines()) == 2 + len(not_holding)
     with pytest.raises(UnknownNameError):

@@ -7,6 +7,7 @@ with the robots' modules, so that nothing can be compared with itself.
 """
 
 import re
+from collections.abc import Iterable
 
 import numpy as np
 import sympy as sp
@@ -57,26 +58,37 @@ def _contradiction(item: Item, derived: np.ndarray | sp.Basic | bool) -> str:
     return differs(item.right, derived, item.digits) if item.right is not None else ""
 
 
-def summary(notebook: str = "") -> Markdown:
-    """The items of the ledger that ``notebook`` (its stem) checks, as a table; without a name, all of them."""
-    rows = [
-        f"| {item.key} | {item.where} | {item.says} | {item.verdict} |"
-        for item in sorted(LEDGER.values(), key=_reading_order)
-        if item.notebook == notebook or not notebook
-    ]
-    if not rows:
+def summary(notebook: str) -> Markdown:
+    """The items of the ledger that ``notebook`` (its stem) checks, as a table."""
+    items = [item for item in LEDGER.values() if item.notebook == notebook]
+    if not items:
         raise UnknownNameError("notebook in the ledger", notebook, sorted({i.notebook for i in LEDGER.values()}))
-    return Markdown("\n".join(["| item | report | what it says | verdict |", "|:--|:--|:--|:--|", *rows]))
+    return _table(items)
+
+
+def ledger() -> Markdown:
+    """All items, each with a link to the notebook that checks it."""
+    return _table(LEDGER.values(), linked=True)
 
 
 def errata() -> Markdown:
-    """The items that do not hold as printed, as a table with the notebook that shows it."""
-    rows = [
-        f"| {item.key} | {item.says} | {item.verdict} | [{item.notebook}]({item.notebook}.ipynb) |"
-        for item in sorted(LEDGER.values(), key=_reading_order)
-        if item.kind != "holds"
-    ]
-    return Markdown("\n".join(["| item | what it says | verdict | shown in |", "|:--|:--|:--|:--|", *rows]))
+    """The items that do not hold as printed, each with a link to the notebook that shows it."""
+    return _table((item for item in LEDGER.values() if item.kind != "holds"), linked=True)
+
+
+def _table(items: Iterable[Item], linked: bool = False) -> Markdown:
+    rows = ["| item | report | what it says | verdict |", "|:--|:--|:--|:--|"]
+    for item in sorted(items, key=_reading_order):
+        key = item.key.replace(" ", "&nbsp;")
+        key = f"[{key}]({item.notebook}.ipynb)" if linked else key
+        rows.append(f"| {key} | {item.where} | {_typeset(item.says)} | {_typeset(item.verdict)} |")
+    return Markdown("\n".join(rows))
+
+
+def _typeset(text: str) -> str:
+    """``text`` with names such as theta_4 and d_1 as mathematics."""
+    in_dollars = re.sub(r"\b((?:theta|[A-Za-z])_\d)\b", r"$\1$", text)
+    return in_dollars.replace("$theta", "$\\theta")
 
 
 def _reading_order(item: Item) -> tuple:

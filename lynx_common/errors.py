@@ -59,7 +59,10 @@ class LedgerError(LynxError):
 
     def __init__(self, key: str, recorded: str, found: str):
         self.key, self.recorded, self.found = key, recorded, found
-        super().__init__(f"{key}: the ledger records {recorded!r}, but the check finds that {found}.")
+        super().__init__(
+            f"{key}: compared with what is printed, {found}; but the ledger says {recorded!r}. "
+            "If you changed something above, undo it and run the notebook again from the top."
+        )
 
 
 class UnknownNameError(LynxError, KeyError):

@@ -8,7 +8,7 @@ from lynx_common import arm, dh
 from lynx_common.course import exercises
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
-from lynx_common.symbolic import P, Q, tidy
+from lynx_common.symbolic import P, Q, numeric, tidy
 
 pi = np.pi
 theta_1, theta_2 = Q[:2]
@@ -65,6 +65,7 @@ WRONG = {
         (CAMERA @ forearm, "mind the order"),
         (in_degrees @ CAMERA, "as degrees"),
         (gripper @ CAMERA, "sits on the gripper"),
+        (arm.link_frames(ANGLES)[4] @ CAMERA, "link before the forearm or after it"),
         (np.linalg.inv(forearm @ CAMERA), "base seen from the camera"),
         ((forearm @ CAMERA).T, "transpose"),
         ((forearm @ CAMERA)[:3, 3], "shape (3,), where (4, 4)"),
@@ -86,7 +87,7 @@ WRONG = {
         ),
         ([L_1 * c1, L_1 * s1], "2 entries, where 3"),
         ([Q[2], 0, 0], "holds theta_3"),
-        (lambda q: q, "expressions are expected"),
+        (lambda q: q, "one entry is none"),
         ([0, L_1 * s1 + L_2 * s12, d_1], "x is not right, y is right, z is not right"),
     ],
 }
@@ -120,11 +121,14 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
-    namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, q=ANGLES)
-    namespace |= {symbol.name: symbol for symbol in (*Q, *P)}
+    namespace = dict(
+        np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, lengths=[*arm.LYNX], d_3=d_3
+    )
+    namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)
-    assert verdict(name, namespace["answer"], capsys) == f"{name}: correct.\n"
+    answer = namespace[f"answer_{name[-1]}"]  # as the notebook calls it
+    assert verdict(name, answer, capsys) == f"{name}: correct.\n"
 
 
 @pytest.mark.parametrize("name", exercises.EXERCISES)

@@ -16,7 +16,7 @@ from .style import COLOURS
 # Where the names of the joints are written beside them, in points.
 JOINT_LABELS = {
     "base": (12, 2),
-    "shoulder": (12, -5),
+    "shoulder": (14, -20),
     "elbow": (-12, 8),
     "wrist": (0, 12),
     "gripper": (0, -24),

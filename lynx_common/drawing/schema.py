@@ -56,7 +56,7 @@ def wrist_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
 
 def link_schema(ax: Axes) -> Axes:
     """One link in general: how theta, d, a and alpha lead from frame i-1 to frame i; report eq. (1.1)."""
-    a, alpha, d, theta = 0.36, -0.75, 0.17, 0.6
+    a, alpha, d, theta = 0.36, 0.55, 0.24, 0.5
     end = np.array(dh.standard(dh.Row(a, alpha, d, theta)), float)
     tip, z, x_before, x = end[:3, 3], np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), end[:3, 0]
     foot = d * z
@@ -65,14 +65,14 @@ def link_schema(ax: Axes) -> Axes:
         _polyline(
             ax, [point - 0.06 * axis, point + 0.26 * axis], color=COLOURS["aid"], linestyle="--", linewidth=1
         )
-    _polyline(ax, [foot, foot + 0.18 * x_before], color=COLOURS["x"], linestyle=":")
+    _polyline(ax, [foot, foot + 0.2 * x_before], color=COLOURS["x"], linestyle=":")
     _polyline(ax, [tip, tip + 0.2 * z], color=COLOURS["z"], linestyle=":")
-    _triad(ax, np.eye(4), 0.07, "{i-1}")
-    _triad(ax, end, 0.07, "i")
-    _angle(ax, foot, 0.14, x_before, np.cross(z, x_before), theta, r"$\theta$")
+    _triad(ax, np.eye(4), 0.1, "{i-1}")
+    _triad(ax, end, 0.1, "i")
+    _angle(ax, foot, 0.16, x_before, np.cross(z, x_before), theta, r"$\theta$")
     _angle(ax, tip, 0.17, z, np.cross(x, z), alpha, r"$\alpha$")
     for name, middle in (("$d$", foot / 2), ("$a$", (foot + tip) / 2)):
-        ax.annotate(name, middle @ VIEW, xytext=(-18, 8), textcoords="offset points", fontsize=13)
+        ax.annotate(name, middle @ VIEW, xytext=(-20, 10), textcoords="offset points", fontsize=13)
     return _bare(ax)
 
 
@@ -87,6 +87,8 @@ def _angle(
     turn = np.linspace(0, angle, 31)[:, None]
     arc = radius * (np.cos(turn) * u + np.sin(turn) * v)
     _polyline(ax, centre + arc, color="black", linewidth=1)
+    head = {"arrowstyle": "-|>", "color": "black", "linewidth": 1, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", (centre + arc[30]) @ VIEW, xytext=(centre + arc[27]) @ VIEW, arrowprops=head)
     ax.text(*((centre + 1.2 * arc[15]) @ VIEW), name, ha="center", va="center", fontsize=13)
 
 

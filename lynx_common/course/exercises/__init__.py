@@ -31,7 +31,7 @@ def hint(name: str, number: int = 1) -> None:
 
 
 def solution(name: str) -> Markdown:
-    """The worked solution of exercise ``name``: why, and code that sets ``answer``."""
+    """The worked solution of exercise ``name``: why, and code that sets the answer."""
     exercise = _find(name)
     return Markdown(f"{exercise.explanation}\n\n```python\n{exercise.code}\n```")
 

@@ -112,7 +112,7 @@ EXERCISES = {
         "With $\\theta_2 = \\theta_3 = 0$ both links are level, and so is the gripper's axis, which points at "
         "$\\theta_2 + \\theta_3 + \\theta_4 - 90°$, for "
         "$\\theta_4 = 90°$. $\\theta_5$ only rolls the gripper, so any value is right.",
-        code="answer = np.deg2rad([90, 0, 0, 90, 0])",
+        code="answer_1 = np.deg2rad([90, 0, 0, 90, 0])",
     ),
     "A1.2": Exercise(
         read=numbers((4, 4)),
@@ -131,6 +131,10 @@ EXERCISES = {
                 lambda pose: _is(pose, arm.link_frames(ANGLES)[5] @ CAMERA),
                 "this camera sits on the gripper; it was to sit on the forearm, which carries frame 3.",
             ),
+            (
+                lambda pose: any(_is(pose, arm.link_frames(ANGLES)[i] @ CAMERA) for i in (2, 4)),
+                "this camera moves with the link before the forearm or after it; the forearm carries frame 3.",
+            ),
             (lambda pose: _is(pose, _forearm()), "this is frame 3 itself; the camera is shifted from it."),
             (lambda pose: _is(pose, np.linalg.inv(_forearm() @ CAMERA)), "this is the base seen from the camera."),
             (lambda pose: _is(pose.T, _forearm() @ CAMERA), "this is the transpose of the pose."),
@@ -142,7 +146,7 @@ EXERCISES = {
         ),
         explanation="Read the indices: $T_{0c} = T_{03} T_{3c}$. A transform that is given in the moving frame is "
         "multiplied from the right.",
-        code="T_0_3 = arm.link_frames(q)[3]\nanswer = T_0_3 @ np.array(dh.trans(-0.1, 0.03, 0), float)",
+        code="forearm = numeric(T_0_3, arm.Q, arm.P)(q, lengths)\nanswer_2 = forearm @ dh.trans(-0.1, 0.03, 0)",
     ),
     "A1.3": Exercise(
         read=expressions(SCARA_SYMBOLS, 3),
@@ -172,8 +176,7 @@ EXERCISES = {
         ),
         explanation="The first row lifts by $d_1$ and reaches out by $L_1$; the second reaches out by $L_2$ "
         "and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ lowers the tool.",
-        code='d_3 = sp.Symbol("d_3", real=True)\n'
-        "table = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]\n"
-        "answer = tidy(dh.chain(table)[-1][:3, 3])",
+        code="table = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]\n"
+        "answer_3 = tidy(dh.chain(table)[-1][:3, 3])",
     ),
 }

@@ -23,7 +23,7 @@ class Exercise:
     error : how far that is from the nearest right answer, 0 where it is right
     misconceptions : pairs of a test of an answer that is not right, and what to tell its author
     describe : what to tell where none of them is recognised: which part is off, and by how much
-    hints, explanation, code : the way there; ``code`` sets ``answer``
+    hints, explanation, code : the way there; ``code`` sets the answer, as its last line
     """
 
     read: Callable[[object], Any]
@@ -55,7 +55,9 @@ def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
         try:
             value = np.array(answer, dtype=complex)
         except (TypeError, ValueError):
-            raise UnreadableAnswerError("numbers are expected; no symbols, words or dots may be left.") from None
+            raise UnreadableAnswerError(
+                "numbers are expected; no symbols, words or dots may be left in."
+            ) from None
         if value.shape not in (shape, (*shape, 1), (1, *shape)):
             raise UnreadableAnswerError(f"shape {value.shape}, where {shape} is expected.")
         if not np.isfinite(value).all() or np.abs(value.imag).max() > 0:
@@ -73,7 +75,7 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
         try:
             value = sp.Matrix(answer)
         except (TypeError, ValueError):
-            raise UnreadableAnswerError(f"{size} expressions are expected, not {type(answer).__name__}.") from None
+            raise UnreadableAnswerError(f"a list of {size} expressions is expected; one entry is none.") from None
         value = value[:size, 3] if value.shape == (4, 4) else value
         if len(value) == size + 1 and value[size] == 1:
             value = value.reshape(size + 1, 1)[:size, :]

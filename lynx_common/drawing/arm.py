@@ -15,8 +15,8 @@ from .style import COLOURS
 
 # Where the names of the joints are written beside them, in points.
 JOINT_LABELS = {
-    "base": (12, 2),
-    "shoulder": (14, -20),
+    "base": (-12, -4),
+    "shoulder": (12, -14),
     "elbow": (-12, 8),
     "wrist": (0, 12),
     "gripper": (0, -24),

@@ -41,8 +41,7 @@ def joint_angles(task: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
         Elbow up, elbow down: up is the one whose elbow is higher. Both rows are equal at full stretch. Rows
         of a target that the links cannot reach are NaN.
 
-    Source: report eqs. (1.14) to (1.24), with their errors mended; derived in
-    ``notebooks/A3_inverse_kinematics.ipynb``.
+    Source: report eqs. (1.14) to (1.24), with their errors mended.
     """
     return _on_reachable(_both_elbows(), real(task, TASK), geometry)
 
@@ -67,7 +66,7 @@ def inverse_kinematics(
     q : array, shape (..., 4, 5)
         Joint angles in (-pi, pi], one row per entry of ``BRANCHES``; NaN where the links do not reach.
 
-    Source: ``notebooks/A3_inverse_kinematics.ipynb``; joint limits are not applied (``within_limits``).
+    Source: report eqs. (1.14) to (1.24), for both shoulders. Joint limits are not applied (``within_limits``).
     """
     position, pitch, roll = real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll")
     batch = np.broadcast_shapes(position.shape[:-1], pitch.shape, roll.shape)
@@ -83,7 +82,7 @@ def inverse_kinematics(
 def front(position: np.ndarray, pitch: np.ndarray, roll: np.ndarray) -> np.ndarray:
     """Task coordinates, (..., 5), of the front branches; azimuth 0 on the base axis."""
     x, y, z = np.moveaxis(position, -1, 0)
-    r = np.hypot(x, y)
+    r = np.sqrt(x * x + y * y)
     azimuth = np.where(r == 0, 0.0, np.arctan2(y, x))
     return np.stack(np.broadcast_arrays(azimuth, r, z, pitch, roll), axis=-1)
 
@@ -106,7 +105,8 @@ def _on_reachable(rows: Callable, task: np.ndarray, geometry: Geometry) -> np.nd
 def reach(wrist: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, float, float]:
     """Distance of the wrist from the shoulder, and the least and the largest that the links reach."""
     _, L_1, L_2, _ = geometry
-    return np.hypot(wrist[..., 0], wrist[..., 1]), abs(L_1 - L_2), L_1 + L_2
+    r_wrist, h = wrist[..., 0], wrist[..., 1]
+    return np.sqrt(r_wrist * r_wrist + h * h), abs(L_1 - L_2), L_1 + L_2
 
 
 @cache

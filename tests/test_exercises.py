@@ -121,9 +121,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
-    namespace = dict(
-        np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, lengths=[*arm.LYNX], d_3=d_3
-    )
+    namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
     namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)
@@ -139,6 +137,15 @@ def test_there_are_two_hints_and_the_first_points_to_the_second(name, capsys):
     assert "hint 2 of 2" in capsys.readouterr().out
     with pytest.raises(UnknownNameError, match="There is: 1, 2"):
         exercises.hint(name, 3)
+
+
+STRANGE = ["x", [None] * 3, [None] * 5, {}, {1, 2}, object(), np.nan, [[1], [2, 3]], [sp.zoo] * 3, True]
+
+
+@pytest.mark.parametrize("name", exercises.EXERCISES)
+@pytest.mark.parametrize("answer", STRANGE, ids=range(len(STRANGE)))
+def test_no_answer_however_strange_stops_the_notebook(name, answer, capsys):
+    assert "correct" not in verdict(name, answer, capsys)
 
 
 def test_an_unknown_exercise_gets_the_list_of_known_ones():

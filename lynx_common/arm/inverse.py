@@ -118,22 +118,26 @@ def wrist() -> Callable:
 
 @cache
 def _both_elbows() -> Callable:
-    rows = [_elbow().subs(SIGMA, sign).T for sign in (SIGMA, -SIGMA)]
-    return numeric(sp.Matrix.vstack(*rows), TASK, WRIST, (SIGMA,), P)
+    return numeric(sp.Matrix.vstack(*_elbows()), TASK, WRIST, (SIGMA,), P)
 
 
 @cache
 def _branches() -> Callable:
     """The four rows of BRANCHES, wrapped into (-pi, pi]."""
-    front = [_elbow().subs(SIGMA, sign).T for sign in (SIGMA, -SIGMA)]
+    facing = _elbows()
     # The shoulder turned half round makes the same shape, seen from behind: what was up stays up.
     back = [
         sp.Matrix([[q_1 + sp.pi, sp.pi - q_2, -q_3, sp.pi - q_4, q_5 + sp.pi]])
-        for q_1, q_2, q_3, q_4, q_5 in front
+        for q_1, q_2, q_3, q_4, q_5 in facing
     ]
-    rows = sp.Matrix.vstack(*front, *back)
+    rows = sp.Matrix.vstack(*facing, *back)
     wrapped = rows.applyfunc(lambda q: q - 2 * sp.pi * sp.ceiling((q - sp.pi) / (2 * sp.pi), evaluate=False))
     return numeric(wrapped, TASK, WRIST, (SIGMA,), P)
+
+
+def _elbows() -> list[sp.Matrix]:
+    """Rows of joint angles, for theta_3 of the sign sigma and of the other sign."""
+    return [_elbow().subs(SIGMA, sign).T for sign in (SIGMA, -SIGMA)]
 
 
 def _elbow() -> sp.Matrix:

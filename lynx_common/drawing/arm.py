@@ -76,8 +76,10 @@ def move(
 def label_joints(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> None:
     """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set."""
     points = arm.joint_positions(q, geometry)
-    places = np.transpose(proj_transform(*points.T, ax.get_proj()))[:, :2] if isinstance(ax, Axes3D) else None
-    places = _in_plane(points, q) if places is None else places
+    if isinstance(ax, Axes3D):
+        places = np.transpose(proj_transform(*points.T, ax.get_proj()))[:, :2]
+    else:
+        places = _in_plane(points, q)
     for (name, offset), place in zip(JOINT_LABELS.items(), places, strict=True):
         side = {-1: "right", 0: "center", 1: "left"}[np.sign(offset[0])]
         label = ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)

@@ -14,7 +14,7 @@ COLOURS = {
     "y": "#009e73",
     "z": "#0072b2",
     "printed": "#cc79a7",
-    "right": "#0072b2",
+    "right": "#56b4e9",
     "target": "#e69f00",
     "aid": "#8c8c8c",
 }

@@ -42,10 +42,6 @@ def _forearm(q: np.ndarray = ANGLES) -> np.ndarray:
     return arm.link_frames(q)[3]
 
 
-def _camera_error(pose: np.ndarray) -> float:
-    return float(np.abs(pose - _forearm() @ CAMERA).max())
-
-
 def _describe_camera(pose: np.ndarray) -> str:
     right = _forearm() @ CAMERA
     axes_right = np.abs(pose - right)[:3, :3].max() <= TOLERANCE
@@ -89,7 +85,7 @@ def _describe_tool(p: sp.Matrix) -> str:
 EXERCISES = {
     "A1.1": Exercise(
         read=numbers((5,)),
-        error=lambda q: 0.0 if _level(q) else np.inf,
+        right=_level,
         misconceptions=(
             (lambda q: _level(np.deg2rad(q)), "this is right in degrees, and the package works in radians."),
             (
@@ -116,7 +112,7 @@ EXERCISES = {
     ),
     "A1.2": Exercise(
         read=numbers((4, 4)),
-        error=_camera_error,
+        right=lambda pose: _is(pose, _forearm() @ CAMERA),
         misconceptions=(
             (
                 lambda pose: _is(pose, CAMERA @ _forearm()),
@@ -146,11 +142,11 @@ EXERCISES = {
         ),
         explanation="Read the indices: $T_{0c} = T_{03} T_{3c}$. A transform that is given in the moving frame is "
         "multiplied from the right.",
-        code="forearm = numeric(T_0_3, arm.Q, arm.P)(q, lengths)\nanswer_2 = forearm @ dh.trans(-0.1, 0.03, 0)",
+        code="forearm = numeric(T_0_3, arm.Q, arm.P)(q, arm.LYNX)\nanswer_2 = forearm @ dh.trans(-0.1, 0.03, 0)",
     ),
     "A1.3": Exercise(
         read=expressions(SCARA_SYMBOLS, 3),
-        error=_off,
+        right=lambda p: _off(p) <= TOLERANCE,
         misconceptions=(
             (
                 lambda p: _off(p, _scara(theta_2, d_1 - d_3)) <= TOLERANCE,

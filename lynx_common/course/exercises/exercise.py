@@ -20,14 +20,14 @@ class Exercise:
     """An exercise and what can be said about an answer to it.
 
     read : turns an answer of any accepted form into one form; raises UnreadableAnswerError
-    error : how far that is from the nearest right answer, 0 where it is right
+    right : whether that is a right answer
     misconceptions : pairs of a test of an answer that is not right, and what to tell its author
     describe : what to tell where none of them is recognised: which part is off, and by how much
     hints, explanation, code : the way there; ``code`` sets the answer, as its last line
     """
 
     read: Callable[[object], Any]
-    error: Callable[[Any], float]
+    right: Callable[[Any], bool]
     misconceptions: tuple[tuple[Callable[[Any], bool], str], ...]
     describe: Callable[[Any], str]
     hints: tuple[str, ...]
@@ -42,7 +42,7 @@ class Exercise:
             value = self.read(answer)
         except UnreadableAnswerError as fault:
             return str(fault)
-        if self.error(value) <= TOLERANCE:
+        if self.right(value):
             return "correct."
         recognised = (sentence for test, sentence in self.misconceptions if test(value))
         return f"not yet: {next(recognised, None) or self.describe(value)}"
@@ -76,6 +76,8 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
             value = sp.Matrix(answer)
         except (TypeError, ValueError):
             raise UnreadableAnswerError(f"a list of {size} expressions is expected; one entry is none.") from None
+        if not all(isinstance(entry, sp.Expr) and entry.is_finite is not False for entry in value):
+            raise UnreadableAnswerError(f"a list of {size} expressions is expected; one entry is none.")
         value = value[:size, 3] if value.shape == (4, 4) else value
         if len(value) == size + 1 and value[size] == 1:
             value = value.reshape(size + 1, 1)[:size, :]

@@ -73,17 +73,17 @@ def dh_table() -> list[dh.Row]:
 AT_LIMIT = 1e-9
 
 
-def within_limits(q: np.ndarray) -> np.ndarray:
-    """Whether every joint is within JOINT_LIMITS, give or take full turns: (..., 5) to (...) of bool.
+def within_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
+    """Whether every joint is within ``limits`` (5, 2), give or take full turns: (..., 5) to (...) of bool.
 
     NaN and infinite angles are not.
     """
-    return np.isfinite(into_limits(q)).all(axis=-1)
+    return np.isfinite(into_limits(q, limits)).all(axis=-1)
 
 
-def into_limits(q: np.ndarray) -> np.ndarray:
-    """The same angles, (..., 5), moved by full turns into JOINT_LIMITS; NaN where no turn brings them there."""
-    lower, upper = JOINT_LIMITS.T
+def into_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
+    """The same angles, (..., 5), moved by full turns into ``limits``; NaN where no turn brings them there."""
+    lower, upper = limits.T
     with np.errstate(invalid="ignore"):
         above = np.mod(real(q, Q) - lower + AT_LIMIT, 2 * np.pi) - AT_LIMIT
     return np.where(above <= upper - lower + AT_LIMIT, np.clip(lower + above, lower, upper), np.nan)

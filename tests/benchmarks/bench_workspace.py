@@ -1,4 +1,4 @@
-"""The sweep at 1 deg with its voxels, which once did not fit into memory, against the sweep at 10 deg pose by pose."""
+"""The sweep at 1 deg with its voxels, too large for memory as a whole, against the one at 10 deg pose by pose."""
 
 import time
 import tracemalloc

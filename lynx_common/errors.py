@@ -74,3 +74,22 @@ class UnknownNameError(LynxError, KeyError):
 
     def __str__(self) -> str:
         return self.args[0]  # KeyError would put the sentence in quotation marks
+
+
+class JumpError(LynxError):
+    """A joint that moves too far between two neighbouring samples; ``joint`` counts from 1, angles in radians."""
+
+    def __init__(self, sample: int, joint: int, step: float, largest: float):
+        self.sample, self.joint, self.step, self.largest = sample, joint, step, largest
+        super().__init__(
+            f"Between samples {sample - 1} and {sample} joint {joint} would move by {degrees(step):.2f} deg; beyond "
+            f"{degrees(largest):.0f} deg a motion cannot be told from a jump. If it is one, more samples do not help."
+        )
+
+
+class PathError(LynxError):
+    """A path that the arm cannot follow; ``sample`` is the first that fails, ``cause`` the error that says why."""
+
+    def __init__(self, sample: int, count: int, cause: LynxError):
+        self.sample, self.count, self.cause = sample, count, cause
+        super().__init__(f"The path fails first at sample {sample} of 0 to {count - 1}: {cause}")

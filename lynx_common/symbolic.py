@@ -10,7 +10,7 @@ from math import prod
 
 import numpy as np
 import sympy as sp
-from sympy.simplify.fu import TR10i
+from sympy.simplify.fu import TR5, TR10i
 
 from .errors import InputError
 
@@ -51,8 +51,8 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
         input and for a last axis of another length.
     """
     vectors = tuple(map(tuple, vectors))
-    matrix = sp.Matrix([expr]) if isinstance(expr, sp.Expr) else expr
-    shape = () if isinstance(expr, sp.Expr) else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
+    matrix = expr if isinstance(expr, sp.MatrixBase) else sp.Matrix([expr])
+    shape = () if matrix is not expr else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
     entries = tuple(matrix)
     if missing := matrix.free_symbols.difference(*vectors):
         names = ", ".join(sorted(map(str, missing)))
@@ -115,8 +115,11 @@ def tidy(expr: sp.Expr | sp.MatrixBase) -> sp.Expr | sp.MatrixBase:
     """``expr``, or each entry of it, with sums of angles joined and common factors taken out.
 
     Made for products of link transforms, where it takes hundredths of a second and ``simplify``
-    takes seconds: cos(a) cos(b) - sin(a) sin(b) becomes cos(a + b).
+    takes seconds: cos(a) cos(b) - sin(a) sin(b) becomes cos(a + b), and sin(a)**2 + cos(a)**2 becomes 1.
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(tidy)
-    return sp.factor_terms(TR10i(sp.expand(expr)))
+    expanded = sp.expand(expr)
+    without_squared_sines = sp.expand(TR5(expanded))
+    ways = [expanded] if without_squared_sines == expanded else [expanded, without_squared_sines]
+    return sp.factor_terms(min(map(TR10i, ways), key=sp.count_ops))

@@ -137,7 +137,7 @@ def test_tables_hold_one_row_an_item():
     table = report.summary("A1_forward_kinematics").data.splitlines()
     assert len(table) == 2 + len(section)
     assert all(line.count("|") == 5 for line in table)
-    assert "$\\theta_4$ of Table 1.2" in report.summary("A1_forward_kinematics").data
+    assert "$\\theta_{4}$ of Table 1.2" in report.summary("A1_forward_kinematics").data
     assert report.ledger().data.count(".ipynb)") == len(report.LEDGER)
     not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
     assert len(report.errata().data.splitlines()) == 2 + len(not_holding)

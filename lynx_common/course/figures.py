@@ -5,6 +5,7 @@ from io import BytesIO
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 from IPython.display import Image, Markdown, display
 from matplotlib.figure import Figure
 
@@ -30,3 +31,15 @@ def show(fig: Figure, caption: str) -> None:
     fig.savefig(buffer, format="png", metadata={"Software": None})
     plt.close(fig)
     display(Image(buffer.getvalue(), alt=caption), Markdown(caption))
+
+
+def table(header: list[str], rows: list[list], caption: str) -> None:
+    """Show a table, its numbers to four digits, with ``caption`` below it; for printouts of a console."""
+    lines = [header, [":--"] * len(header), *([_text(entry) for entry in row] for row in rows)]
+    display(Markdown("\n".join(f"| {' | '.join(line)} |" for line in lines)), Markdown(caption))
+
+
+def _text(entry: object) -> str:
+    if isinstance(entry, str):
+        return entry
+    return ", ".join(f"{value:.4f}" for value in np.round(np.atleast_1d(entry), 4) + 0.0)

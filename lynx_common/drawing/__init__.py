@@ -4,6 +4,7 @@ A function that draws computes nothing: it asks the robot's module where things 
 """
 
 from .arm import arm_3d, arm_side_view, arm_top_view, frames_3d, frames_side_view, gripper, label_joints, move
+from .region import region_2d, region_path
 from .schema import dh_schema, link_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
@@ -19,6 +20,8 @@ __all__ = [
     "label_joints",
     "link_schema",
     "move",
+    "region_2d",
+    "region_path",
     "space_3d",
     "two_views",
     "use_style",

@@ -14,10 +14,10 @@ import sympy as sp
 from IPython.display import Markdown
 
 from ...errors import LedgerError, UnknownNameError
-from . import a1
+from . import a1, a3
 from .item import Item, differs
 
-LEDGER = {item.key: item for item in [*a1.ITEMS]}
+LEDGER = {item.key: item for item in [*a1.ITEMS, *a3.ITEMS]}
 
 
 def printed(key: str) -> np.ndarray | sp.Basic | bool:
@@ -87,8 +87,13 @@ def _table(items: Iterable[Item], linked: bool = False) -> Markdown:
 
 def _typeset(text: str) -> str:
     """``text`` with names such as theta_4 and d_1 as mathematics."""
-    in_dollars = re.sub(r"\b((?:theta|[A-Za-z])_\d)\b", r"$\1$", text)
-    return in_dollars.replace("$theta", "$\\theta")
+    return re.sub(r"\b(theta|[A-Za-z])_(\d+)\b", _symbol, text)
+
+
+def _symbol(name: re.Match) -> str:
+    letter, index = name.groups()
+    letter = r"\theta" if letter == "theta" else letter
+    return f"${letter}_{{{index}}}$"
 
 
 def _reading_order(item: Item) -> tuple:

@@ -1,0 +1,11 @@
+"""Interactive views: sliders beside a picture that follows them.
+
+Each keeps one Matplotlib figure, moves its lines over a background that is drawn once, and hands the picture over
+as PNG bytes; that is several times faster than drawing anew, and a notebook that holds one can be re-executed.
+"""
+
+from .arm import arm_explorer
+from .limits import limits_explorer
+from .reach import reach_explorer
+
+__all__ = ["arm_explorer", "limits_explorer", "reach_explorer"]

@@ -1,0 +1,196 @@
+"""Section 1.3 of the report, inverse kinematics: its equations, figures and claims.
+
+The report's phi is here the symbol ``pitch``, and its P_joint4x and P_joint4y are ``r_wrist`` and ``h``.
+"""
+
+import numpy as np
+import sympy as sp
+from sympy import acos, atan, atan2, cos, pi, sin, sqrt
+
+from ...symbolic import TASK, WRIST, P, Q
+from . import a1
+from .item import Item
+
+NOTEBOOK = "A3_inverse_kinematics"
+theta_1, theta_2, theta_3, theta_4, theta_5 = Q
+d_1, L_1, L_2, L_3 = P
+r, z, pitch = TASK[1:4]
+r_wrist, h = WRIST
+x, y, D, sigma, c_3 = sp.symbols("x y D sigma c_3", real=True)
+R_13, R_23, R_31, R_32, R_33 = sp.symbols("R_13 R_23 R_31 R_32 R_33", real=True)
+forearm, gripper = theta_2 + theta_3, theta_2 + theta_3 + theta_4
+
+LINKS = [a1.LINK.subs(dict(zip(a1.ROW, a1.DISTAL.row(i), strict=True)))[:3, :3] for i in range(5)]
+R_wrist, R_target = sp.MatrixSymbol("R_wrist", 3, 3), sp.MatrixSymbol("R_target", 3, 3)
+T_1, T_2, T_3 = (sp.MatrixSymbol(f"T_{i}", 3, 3) for i in (1, 2, 3))
+TO_THE_WRIST, TO_THE_GRIPPER = LINKS[0] * LINKS[1] * LINKS[2], sp.prod(LINKS[1:], LINKS[0])
+
+ALONG, ACROSS = L_1 + L_2 * cos(theta_3), L_2 * sin(theta_3)  # the wrist seen along the upper arm
+COSINE = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
+DISTANCE_2 = r_wrist**2 + h**2
+
+TABLE_1_1 = {theta_4: theta_4 + pi / 2}
+IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
+QUADRANT = "wrong: it finds half of all azimuths; atan2(y, x) finds all, and adding 180 deg is a solution too"
+ONE_ELBOW = "holds, if the elbow with a positive theta_3 is meant; the negative one reaches the same wrist"
+NO_ZERO_BY_ZERO = "wrong: x / cos(theta_1) is 0/0 at theta_1 = 90 deg; x cos(theta_1) + y sin(theta_1) is not"
+
+# Fig. 1.5: five angles in degrees, position and its error in metres, orientation row by row and its error.
+ORIENTATION = [0.7071, 0, 0.7071, -0.7071, 0, 0.7071, 0, -1, 0]
+FIG_1_5 = np.array([45, 5.2644, 60, 24.7356, 90, 0.2707, 0.2707, 0.3, 0.1, *ORIENTATION, 2.1414])
+FIG_1_5_RIGHT = np.array([45, 60.8808, -82.8192, -158.0616, 135, 0.2, 0.2, 0.3, 0, *np.eye(3).ravel(), 0])
+
+c, s, C, S = cos(theta_1), sin(theta_1), cos(pitch), sin(pitch)
+UPRIGHT = sp.Matrix([[C, 0, S, x], [0, 1, 0, y], [-S, 0, C, z], [0, 0, 0, 1]])
+IN_THE_PLANE = sp.Matrix([[c * C, -s, -c * S, x], [s * C, c, -s * S, y], [S, 0, C, z], [0, 0, 0, 1]])
+
+
+def _item(number: int, says: str, printed: sp.Eq, verdict: str = "holds", **facts) -> Item:
+    page = 5 if number <= 7 else 6 if number <= 11 else 7
+    return Item(f"eq. 1.{number}", f"1.3, p. {page}", says, printed, NOTEBOOK, verdict, **facts)
+
+
+def _claim(number: int, says: str, verdict: str) -> Item:
+    return Item(f"claim A3.{number}", "1.3, p. 7", says, True, NOTEBOOK, verdict)
+
+
+ITEMS = [
+    _item(3, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), QUADRANT, right=atan2(y, x)),
+    _item(
+        4,
+        "what the triangle of the links has to span: distance and height of the target from the shoulder",
+        sp.Eq(sp.Matrix([r_wrist, h]), sp.Matrix([r, z - d_1])),
+        "holds, if L_3 = 0; else the wrist is to be taken, which is L_3 short of the target",
+        condition={L_3: sp.Integer(0)},
+    ),
+    _item(5, "the law of cosines for the elbow", sp.Eq(D, COSINE)),
+    _item(
+        6,
+        "the elbow's angle",
+        sp.Eq(theta_3, atan2(sqrt(1 - D**2), D)),
+        ONE_ELBOW,
+        condition={sigma: sp.Integer(1)},
+    ),
+    _item(7, "the shoulder's angle", sp.Eq(theta_2, atan2(h, r_wrist) - atan2(ACROSS, ALONG))),
+    _item(
+        8,
+        "the orientation of the forearm",
+        sp.Eq(R_wrist, sp.MatMul(T_1, T_2, T_3)),
+        meaning=dict(zip((T_1, T_2, T_3), LINKS, strict=False)),
+    ),
+    _item(
+        9,
+        "what remains for the wrist to do",
+        sp.Eq(sp.MatrixSymbol("R_remaining", 3, 3), sp.MatMul(R_wrist.T, R_target)),
+        meaning={R_wrist: TO_THE_WRIST, R_target: TO_THE_GRIPPER},
+    ),
+    _item(
+        10,
+        "theta_4 from what remains",
+        sp.Eq(theta_4, atan(R_23 / R_13)),
+        "wrong: the third column is (sin theta_4, -cos theta_4, 0), so it is atan2(R_13, -R_23)",
+        right=atan2(R_13, -R_23),
+    ),
+    _item(
+        11,
+        "theta_5 from what remains",
+        sp.Eq(theta_5, atan2(sqrt(R_13**2 + R_23**2), R_33)),
+        "wrong: that is 90 deg for every orientation the arm can take; theta_5 is atan2(R_31, R_32)",
+        right=atan2(R_31, R_32),
+    ),
+    _item(12, "the gripper's pitch", sp.Eq(pitch, theta_2 + theta_3 + theta_4), IF_TABLE_1_1, condition=TABLE_1_1),
+    _item(
+        13,
+        "the gripper's pose for a pitch, x along the gripper",
+        sp.Eq(sp.MatrixSymbol("T", 4, 4), UPRIGHT),
+        "wrong: it leaves out theta_1, and turns the gripper down where (1.16) turns it up",
+        right=IN_THE_PLANE,
+    ),
+    _item(14, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), QUADRANT, right=atan2(y, x)),
+    _item(
+        15,
+        "signed distance of the gripper from the base axis, as a sum of three links",
+        sp.Eq(L_1 * cos(theta_2) + L_2 * cos(forearm) + L_3 * cos(gripper), x / cos(theta_1)),
+        NO_ZERO_BY_ZERO,
+        right=x * cos(theta_1) + y * sin(theta_1),
+    ),
+    _item(
+        16,
+        "height of the gripper over the shoulder, as a sum of three links",
+        sp.Eq(z - d_1, L_1 * sin(theta_2) + L_2 * sin(forearm) + L_3 * sin(gripper)),
+        IF_TABLE_1_1,
+        condition=TABLE_1_1,
+    ),
+    _item(
+        17,
+        "signed distance of the wrist",
+        sp.Eq(r_wrist, x / cos(theta_1) - L_3 * cos(pitch)),
+        NO_ZERO_BY_ZERO,
+        right=x * cos(theta_1) + y * sin(theta_1) - L_3 * cos(pitch),
+    ),
+    _item(18, "height of the wrist over the shoulder", sp.Eq(h, z - d_1 - L_3 * sin(pitch))),
+    _item(19, "the law of cosines for the elbow", sp.Eq(c_3, COSINE)),
+    _item(
+        20,
+        "the elbow's angle",
+        sp.Eq(theta_3, acos(c_3)),
+        ONE_ELBOW,
+        condition={sigma: sp.Integer(1)},
+    ),
+    _item(21, "the shoulder's sine", sp.Eq(sp.Symbol("s_2"), (ALONG * h - ACROSS * r_wrist) / DISTANCE_2)),
+    _item(
+        22,
+        "the shoulder's cosine",
+        sp.Eq(sp.Symbol("c_2"), (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
+        "wrong: the sign between the two terms is plus",
+        right=(ALONG * r_wrist + ACROSS * h) / DISTANCE_2,
+    ),
+    _item(
+        23,
+        "the shoulder's angle from its sine and cosine",
+        sp.Eq(theta_2, atan2(*sp.symbols("s_2 c_2", real=True))),
+    ),
+    _item(
+        24,
+        "the wrist's angle makes up the pitch",
+        sp.Eq(theta_4, pitch - theta_3 - theta_2),
+        IF_TABLE_1_1,
+        condition={pitch: pitch - pi / 2},
+    ),
+    Item(
+        key="Fig. 1.5",
+        where="1.3.1, p. 6",
+        says="joint angles for R = I at (0.2, 0.2, 0.3) m, and the pose that they give: off by 0.1 m and 2.1414",
+        printed=FIG_1_5,
+        digits=4,
+        notebook=NOTEBOOK,
+        verdict="wrong: it has the wrist at the target; four sets of angles reach the pose with no error, "
+        "the first with theta_1 to theta_5 at 45, 60.8808, -82.8192, -158.0616, 135 deg",
+        right=FIG_1_5_RIGHT,
+    ),
+    Item(
+        key="Fig. 1.6",
+        where="1.3.2, p. 8",
+        says="theta_1 to theta_4 (of Table 1.1) for (0.30, 0.20, 0.35) m, pitch 45 deg: 0.59, 0, 1.10, -0.32",
+        printed=np.array([0.59, 0.00, 1.10, -0.32]),
+        digits=2,
+        notebook=NOTEBOOK,
+        verdict="holds",
+    ),
+    _claim(
+        1,
+        "an error of 0.1 m means that the solution is relatively accurate",
+        "wrong: the error is L_3, whatever L_3 is, because the wrist was put where the gripper belongs",
+    ),
+    _claim(
+        2,
+        "the orientation error may come from the ranges of the joints or from the mechanics",
+        "wrong: the very pose is reached without error, on two branches within the joint limits assumed here",
+    ),
+    _claim(
+        3,
+        "the method is numerical; its convergence or initial guess may be at fault",
+        "wrong: nothing converges in it; in exact arithmetic the error is 1/10 m, exactly",
+    ),
+    _claim(4, "once theta_1 is known, what remains is a planar arm of three links", "holds"),
+]

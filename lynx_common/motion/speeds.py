@@ -1,0 +1,120 @@
+"""How fast the joints move along a path, and the shortest time in which they may."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from .. import arm
+from ..errors import InputError, JumpError
+from ..symbolic import TASK, P, Q, numeric, real
+from .following import LARGEST_STEP, STRETCHED
+
+TASK_DOT = sp.symbols("azimuth_dot r_dot z_dot pitch_dot roll_dot", real=True)
+
+
+def joint_velocities(q: np.ndarray, task_dot: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> np.ndarray:
+    r"""Joint velocities that move the task coordinates at given velocities.
+
+    The wrist's velocity in the arm's plane gives those of shoulder and elbow,
+
+    .. math:: \begin{pmatrix} \dot r_w \\ \dot h \end{pmatrix}
+        = \frac{\partial (r_w, h)}{\partial (\theta_2, \theta_3)}
+        \begin{pmatrix} \dot\theta_2 \\ \dot\theta_3 \end{pmatrix}, \qquad \det = L_1 L_2 \sin\theta_3,
+
+    the pitch that of the wrist; azimuth and roll are joint angles themselves.
+
+    Parameters
+    ----------
+    q : array, shape (..., 5)
+        Joint angles in radians.
+    task_dot : array, shape (..., 5)
+        Velocities of azimuth, r, z, pitch and roll, per any unit: of a path's s, of tau, or of time.
+
+    Returns
+    -------
+    q_dot : array, shape (..., 5)
+        Radians per the same unit. NaN where the arm is straight or folded (to 1e-6 rad): there the velocities of
+        the task coordinates alone do not determine it.
+
+    Source: the inverse of the Jacobian of ``arm.task_coordinates``.
+    """
+    with np.errstate(divide="ignore"):
+        q_dot = _velocities()(q, task_dot, geometry)
+    singular = np.abs(np.sin(np.asarray(q, dtype=float)[..., 2])) <= STRETCHED
+    return np.where(singular[..., None], np.nan, q_dot)
+
+
+def duration(q: np.ndarray, speed_limits: np.ndarray, acceleration_limits: np.ndarray) -> float:
+    """Shortest time in which joint angles sampled along a motion keep the limits of speed and acceleration.
+
+    Speeds shrink as 1/T and accelerations as 1/T**2 when the motion is stretched to last T, so that one of the
+    two decides. They are taken at the samples, by differences, and extrapolated to both ends; between samples
+    nothing is known, and of what comes before and after nothing is asked.
+
+    Parameters
+    ----------
+    q : array, shape (n, 5), n >= 4
+        Joint angles in radians at equal steps of time, the time scaling applied: ``follow(path(s)).q``.
+    speed_limits, acceleration_limits : floats or arrays, shape (5,)
+        Positive, rad/s and rad/s^2; infinite where there is no limit.
+
+    Returns
+    -------
+    T : float
+        Seconds; 0 where nothing moves. Raises InputError where q holds NaN (as where a path was not followed)
+        or too few samples, or a limit is not positive; JumpError where a joint moves by more than 90 deg
+        between two samples.
+    """
+    q = real(q, Q)
+    if q.ndim != 2 or len(q) < 4:
+        raise InputError(f"Four samples of joint angles or more are expected, (n, 5); the shape given is {q.shape}.")
+    if bad := np.flatnonzero(~np.isfinite(q).all(axis=1)).tolist():
+        raise InputError(f"Sample {bad[0]} of the joint angles is not finite, nor are {len(bad) - 1} more.")
+    check_steps(q)
+    speed = (len(q) - 1) * np.diff(q, axis=0)
+    acceleration = (len(q) - 1) * np.diff(speed, axis=0)
+    fastest = np.abs(np.vstack([speed, _ends(speed, 0.5)])).max(axis=0)
+    hardest = np.abs(np.vstack([acceleration, _ends(acceleration, 1)])).max(axis=0)
+    by_speed = fastest / _limit("speed", speed_limits)
+    by_acceleration = hardest / _limit("acceleration", acceleration_limits)
+    return float(max(by_speed.max(), np.sqrt(by_acceleration.max())))
+
+
+def check_steps(q: np.ndarray) -> None:
+    """Raise JumpError where a joint angle of samples (n, 5) moves by more than LARGEST_STEP at once."""
+    steps = np.abs(np.diff(q, axis=0))
+    for sample in np.flatnonzero((steps > LARGEST_STEP).any(axis=1)) + 1:
+        joint = int(steps[sample - 1].argmax())
+        raise JumpError(int(sample), joint + 1, float(steps[sample - 1, joint]), LARGEST_STEP)
+
+
+def _ends(values: np.ndarray, beyond: float) -> np.ndarray:
+    """Values (n, 5) extrapolated beyond both ends, by this share of a step."""
+    (first, second), (last, before) = values[:2], values[-1:-3:-1]
+    return np.array([first + beyond * (first - second), last + beyond * (last - before)])
+
+
+def _limit(name: str, values: np.ndarray) -> np.ndarray:
+    values = np.asarray(values)
+    if not np.all(values > 0):
+        raise InputError(f"A limit of {name} is positive; {values.tolist()} was given.")
+    return values
+
+
+@cache
+def _velocities() -> Callable:
+    (_, theta_2, theta_3, theta_4, _), (d_1, L_1, L_2, L_3) = Q, P
+    (_, r, z, pitch, _), (azimuth_dot, r_dot, z_dot, pitch_dot, roll_dot) = TASK, TASK_DOT
+    phi = theta_2 + theta_3 + theta_4 - sp.pi / 2
+    wrist = sp.Matrix([r - L_3 * sp.cos(pitch), z - d_1 - L_3 * sp.sin(pitch)])  # report eqs. (1.17), (1.18)
+    wrist_dot = wrist.jacobian([r, z, pitch]) * sp.Matrix([r_dot, z_dot, pitch_dot])
+    elbow = L_1 * sp.Matrix([sp.cos(theta_2), sp.sin(theta_2)])
+    forearm = L_2 * sp.Matrix([sp.cos(theta_2 + theta_3), sp.sin(theta_2 + theta_3)])
+    J = (elbow + forearm).jacobian([theta_2, theta_3])
+    theta_2_dot, theta_3_dot = J.adjugate() * wrist_dot.subs(pitch, phi) / (L_1 * L_2 * sp.sin(theta_3))
+    theta_4_dot = pitch_dot - theta_2_dot - theta_3_dot
+    return numeric(
+        sp.Matrix([azimuth_dot, theta_2_dot, theta_3_dot, theta_4_dot, roll_dot]), Q, TASK_DOT, P
+    )

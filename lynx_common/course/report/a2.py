@@ -1,0 +1,59 @@
+"""Section 1.2 of the report, workspace: its figures and claims."""
+
+import numpy as np
+
+from .item import Item
+
+NOTEBOOK = "A2_workspace"
+
+
+def _figure(number: str, says: str, reading: list[float]) -> Item:
+    """A figure by its extent, lowest and highest x, y and z in metres."""
+    return Item(number, "1.2, p. 4", says, np.array(reading), NOTEBOOK, "holds", digits=2)
+
+
+def _claim(number: int, says: str, verdict: str = "holds") -> Item:
+    return Item(f"claim A2.{number}", "1.2, pp. 4-5", says, True, NOTEBOOK, verdict)
+
+
+ITEMS = [
+    _figure(
+        "Fig. 1.3",
+        "the points of the wrist in steps of 10 deg: x and y from -0.4 to 0.4 m, z from -0.3 to 0.5 m",
+        [-0.4, 0.4, -0.4, 0.4, -0.3, 0.5],
+    ),
+    _figure(
+        "Fig. 1.4",
+        "the points of the gripper, theta_2 from 0 to 180 deg: x and y from -0.5 to 0.5 m, z from -0.2 to 0.6 m",
+        [-0.5, 0.5, -0.5, 0.5, -0.2, 0.6],
+    ),
+    _claim(1, "theta_5 does not move the wrist"),
+    _claim(
+        2,
+        "the wrist's workspace takes a sweep over the first four joints",
+        "wrong: theta_4 does not move the wrist either, and theta_1 only turns the result about the base axis",
+    ),
+    _claim(
+        3,
+        "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
+        "wrong: these combinations have only 20,566 different points in the arm's plane",
+    ),
+    _claim(4, "the workspace of the wrist is like a spherical shell"),
+    _claim(
+        5,
+        "the wrist cannot reach the position directly above or below the base",
+        "wrong: theta_2 = 90 deg and theta_3 = 0 take it above, theta_2 = -90 deg and theta_3 = 0 below",
+    ),
+    _claim(
+        6,
+        "its horizontal extent is determined by L_1 + L_2 + L_3",
+        "wrong: for the wrist it is L_1 + L_2 = 0.4 m, as the report's own figure shows",
+    ),
+    _claim(
+        7,
+        "the dense inner ring of Fig. 1.3b is near the base",
+        "wrong: it is near the base axis, 0.28 m and more above or below the shoulder",
+    ),
+    _claim(8, "the gaps are caused by the step of 10 deg"),
+    _claim(9, "another range of one joint can make a large difference to the workspace"),
+]

@@ -3,8 +3,10 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.path import Path
 
 from lynx_common import arm, drawing
+from lynx_common.arcs import annulus
 
 Q = np.array([1.0, 0.8, -0.5, 1.2, 0.4])
 
@@ -108,3 +110,19 @@ def test_a_set_style_is_what_figures_get():
         drawing.use_style()
         assert plt.rcParams["figure.constrained_layout.use"]
         assert plt.rcParams["font.size"] >= 11
+
+
+def test_a_region_is_filled_within_its_boundary_and_not_in_its_holes(views):
+    ring = annulus(0.1, 0.2, 0.3, 0.5)
+    path = drawing.region_2d(views[1], ring).get_path()
+    rng = np.random.default_rng(0)
+    points = rng.uniform(-0.5, 0.8, (1000, 2))
+    points = points[ring.distances(points)[0] > 1e-3]
+    outer, hole = np.split(path.vertices, [len(path.vertices) // 2])
+    inside = Path(outer).contains_points(points) ^ Path(hole).contains_points(points)
+    assert (inside == ring.contains(points)).all()
+    assert np.flatnonzero(path.codes == Path.MOVETO).tolist() == [0, len(outer)]
+
+
+def test_an_empty_region_draws_nothing():
+    assert drawing.region_path(annulus(-2, 0, 0, 1) & annulus(2, 0, 0, 1)).vertices.tolist() == [[0, 0]]

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from lynx_common import arm, dh
+from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
+from lynx_common.course.exercises import a2
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -19,7 +20,37 @@ forearm, gripper = arm.link_frames(ANGLES)[[3, 5]]
 in_degrees = arm.link_frames(np.rad2deg(ANGLES))[3]
 scara = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]
 
+x, y, z = sp.symbols("x y z")
+C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
+
+
+def scara_inverse(C, sign=1):
+    """theta_1 and theta_2 of the SCARA arm, with the elbow on one side."""
+    q_2 = sign * sp.acos(C)
+    return [sp.atan2(y, x) - sp.atan2(L_2 * sp.sin(q_2), L_1 + L_2 * sp.cos(q_2)), q_2]
+
+
+behind = arm.inverse_kinematics([-0.2, 0.1, 0.3], 0.0)
+
 RIGHT = {
+    "A2.1": [0.2, [0.2], sp.Rational(1, 5), np.float64(0.20004)],
+    "A2.2": [a2.VOLUME, 0.16205, [0.1621]],
+    "A2.3": [a2.SCARA.area * 0.15, 0.11815],
+    "A3.1": [[0.25, 0, 0.2], sp.Matrix([0.25, 0, 0.2]), [[0.25, 0, 0.2]]],
+    "A3.2": [
+        behind[2],
+        behind[2] + [2 * pi, 0, 0, 0, 1.2],
+        np.round(behind[2], 5).tolist(),
+    ],
+    "A3.3": [
+        [*scara_inverse(C), d_1 - z],
+        sp.Matrix([*scara_inverse((x * x + y * y - L_1**2 - L_2**2) / L_1 / L_2 / 2), d_1 - z]),
+        [
+            sp.atan2(y, x) - sp.acos((x**2 + y**2 + L_1**2 - L_2**2) / (2 * L_1 * sp.sqrt(x**2 + y**2))),
+            sp.atan2(sp.sqrt(1 - C**2), C),
+            d_1 - z,
+        ],
+    ],
     "A1.1": [
         [pi / 2, 0, 0, pi / 2, 0],
         (pi / 2, 0, 0, pi / 2, 1.234),
@@ -44,6 +75,63 @@ RIGHT = {
 }
 
 WRONG = {
+    "A2.1": [
+        (..., "not attempted"),
+        (0.2 * 2**0.5, "for 90 deg"),
+        (0.2 * 3**0.5, "sign of cos"),
+        (a2._distance(np.rad2deg(120)), "of 120 rad"),
+        (0.04, "its square"),
+        (0.1, "L_3 lies beyond"),
+        (0, "comes back to the shoulder"),
+        (0.3, "more than it should be, by 0.1000 m"),
+        ([0.2, 0.2], "shape (2,)"),
+    ],
+    "A2.2": [
+        (..., "not attempted"),
+        (a2.SHELL_VOLUME / 2, "half of the shell"),
+        (a2.SHELL_VOLUME, "whole shell"),
+        (a2.ONE_WAY.volume, "half of the shell"),
+        (a2.VOLUME * 1000, "in litres"),
+        ((a2.ONE_WAY | a2.ONE_WAY.mirror()).area, "this is an area"),
+        (0.15, "less than it should be, by 0.0120 m^3"),
+    ],
+    "A2.3": [
+        (..., "not attempted"),
+        (pi * (0.55**2 - 0.3**2 - 0.25**2 - 0.15 * np.cos(145 * pi / 180)) * 0.15, "turns fully"),
+        (a2.RING * 260 / 360 * 0.15, "further round"),
+        (a2.SCARA.area, "slide makes a volume"),
+        (a2.SCARA.volume, "nothing turns about the axis"),
+        (a2.SCARA.area * 150, "in litres"),
+        (0.2, "more than it should be"),
+    ],
+    "A3.1": [
+        (..., "not attempted"),
+        ([0.25, 0, 0.1], "the gripper, not the wrist"),
+        ([0.25, 0, 0], "the wrist is above"),
+        ([0.15, 0, 0.1], "level and outwards"),
+        ([0.25, 0, 0.1 + 0.1 - 0.1 + 1e-9], "the gripper, not the wrist"),
+        ([0.35, 0, 0.2], "0.100 m from the wrist"),
+        ([0.25, 0.2], "shape (2,)"),
+    ],
+    "A3.2": [
+        (..., "not attempted"),
+        (np.rad2deg(behind[2]), "right in degrees"),
+        (behind[2] - [0, 0, 0, pi / 2, 0], "theta_4 of Table 1.1"),
+        (behind[0], "the cable does not allow"),
+        (behind[3], "elbow down"),
+        (arm.joint_angles([behind[2][0], -np.hypot(0.2, 0.1), 0.3, 0, 0])[0], "points another way"),
+        ([0, 0, 0, 0, 0], "0.678 m from the object, and its axis is 90 deg off"),
+    ],
+    "A3.3": [
+        (..., "not attempted"),
+        ([*scara_inverse(C, -1), d_1 - z], "the other elbow"),
+        ([*scara_inverse(C), z - d_1], "d_3 is d_1 - z"),
+        ([scara_inverse(C)[0].replace(sp.atan2, lambda b, a: sp.atan(b / a)), sp.acos(C), d_1 - z], "quadrant"),
+        ([scara_inverse(C)[0], sum(scara_inverse(C)), d_1 - z], "counted from the first link"),
+        ([scara_inverse(C)[0], sp.acos(3 + C), d_1 - z], "it gives no number"),
+        ([scara_inverse(C)[0], 0, z], "seen from above it is off, its height is off"),
+        ([Q[0], 0, 0], "holds theta_1"),
+    ],
     "A1.1": [
         (..., "not attempted"),
         ([90, 0, 0, 90, 0], "right in degrees"),
@@ -122,6 +210,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
     namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
+    namespace |= dict(workspace=workspace, x=x, y=y, z=z)
     namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from lynx_common import arm
+from lynx_common import arm, workspace
 from lynx_common.course import explorers
 
 
@@ -71,3 +71,85 @@ def test_sliders_stay_within_the_joint_limits(controls):
 def test_another_arm_can_be_explored():
     panel, _ = explorers.arm_explorer(arm.Geometry(1, 2, 1, 0.5)).children
     assert "T_0_5" in panel.children[-1].value
+
+
+def parts(explorer: widgets.Widget) -> tuple[list[widgets.Widget], widgets.HTML, widgets.Image]:
+    """Sliders, words and picture of an explorer that has nothing else."""
+    panel, image = explorer.children
+    *sliders, words = panel.children
+    return sliders, words, image
+
+
+def test_reach_shows_four_branches_and_which_keep_to_the_limits():
+    sliders, words, _ = parts(explorers.reach_explorer())
+    position, pitch = [s.value for s in sliders[:3]], np.deg2rad(sliders[3].value)
+    q = arm.inverse_kinematics(position, pitch)
+    rows = words.value.split("<tr>")[1:]
+    assert len(rows) == 4
+    for row, (side, elbow), angles in zip(rows, arm.BRANCHES, q, strict=True):
+        assert f"{side}, {elbow}" in row
+        assert " ".join(f"{a:.0f}°" for a in np.rad2deg(angles).round() + 0.0) in row
+        assert ("beyond a limit" in row) == (not arm.within_limits(angles))
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_reach_each_slider_moves_the_picture(number):
+    sliders, words, image = parts(explorers.reach_explorer())
+    picture, text = image.value, words.value
+    sliders[number].value -= 5 * sliders[number].step
+    assert image.value != picture
+    assert words.value != text
+
+
+def test_reach_says_in_words_what_cannot_be_reached_and_recovers():
+    sliders, words, image = parts(explorers.reach_explorer())
+    picture, home = image.value, sliders[0].value
+    sliders[0].value = 0.5
+    sliders[1].value = 0.5
+    assert "0.6092 m from the shoulder, where the links reach from 0.0000 m to 0.4000 m" in words.value
+    sliders[1].value, sliders[0].value = 0.1, home
+    assert image.value == picture
+
+
+def test_reach_can_leave_the_joint_limits_without_an_error():
+    sliders, words, _ = parts(explorers.reach_explorer())
+    for slider, value in zip(sliders, (0.1, 0, 0.15, 0), strict=True):
+        slider.value = value
+    assert words.value.count("beyond a limit") == 4
+
+
+def volumes(words: widgets.HTML) -> list[float]:
+    return [float(row.split("<td>")[-1].split()[0]) for row in words.value.split("<tr>")[2:]]
+
+
+def test_limits_opens_on_the_reports_ranges_with_the_volume_of_the_shell():
+    _, words, _ = parts(explorers.limits_explorer())
+    assert volumes(words)[0] == 173.30
+
+
+def test_limits_follow_the_sliders():
+    sliders, words, image = parts(explorers.limits_explorer())
+    picture = image.value
+    sliders[0].value = (0, 180)
+    limits = np.deg2rad([[0, 360], [0, 180], [-90, 90], [0, 360]])
+    for volume, point in zip(volumes(words), workspace.POINTS, strict=True):
+        region = workspace.section(limits, point)
+        assert volume == pytest.approx((region | region.mirror()).volume * 1000, abs=0.006)
+    assert image.value != picture
+    sliders[0].value = (-90, 90)
+    assert image.value == picture
+
+
+@pytest.mark.parametrize("value", [(30, 30), (180, 180), (-180, -180), (-180, 180)])
+def test_limits_that_meet_are_kept_apart(value):
+    sliders, words, _ = parts(explorers.limits_explorer())
+    sliders[1].value = value
+    low, high = sliders[1].value
+    assert high - low >= 5
+    assert all(volume > 0 for volume in volumes(words))
+
+
+def test_other_arms_can_be_explored():
+    geometry = arm.Geometry(1, 2, 1, 0.5)
+    assert "front, up" in parts(explorers.reach_explorer(geometry))[1].value
+    assert volumes(parts(explorers.limits_explorer(geometry))[1])[0] > 1000

@@ -54,3 +54,10 @@ def test_only_the_figure_asked_for_is_written(fig, shown, monkeypatch, tmp_path)
     assert not list(tmp_path.iterdir())
     figures.publish(fig, "1.1")
     assert len(list(tmp_path.iterdir())) == 3
+
+
+def test_a_table_shows_numbers_to_four_digits_without_negative_zeros(shown):
+    figures.table(["what", "value"], [["angles", [1.23456, -1e-9]], ["length", 0.1]], "**Fig. 9.**")
+    table, caption = shown
+    assert table.data == "| what | value |\n| :-- | :-- |\n| angles | 1.2346, 0.0000 |\n| length | 0.1000 |"
+    assert caption.data == "**Fig. 9.**"

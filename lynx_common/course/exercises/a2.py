@@ -81,10 +81,6 @@ EXERCISES = {
                 "can be reached from the other.",
             ),
             (lambda x: _about(x, SHELL_VOLUME), "this is the whole shell; a little of it is lost."),
-            (
-                lambda x: _about(x, ONE_WAY.volume),
-                "this is what the section sweeps in half a turn; join it with its mirror image first.",
-            ),
             (lambda x: _about(x, VOLUME * 1000), "this is in litres; cubic metres are expected."),
             (
                 lambda x: _about(x, (ONE_WAY | ONE_WAY.mirror()).area),

@@ -51,8 +51,8 @@ def _contradiction(item: Item, derived: np.ndarray | sp.Basic | bool) -> str:
         return difference
     if not difference:
         return "it agrees with what is printed"
-    if item.kind == "holds, if" and item.value is True:
-        return "a claim is simply true or not"
+    if item.kind == "holds, if" and not isinstance(item.value, sp.Basic | sp.MatrixBase):
+        return "claims and numbers hold or not, without conditions"
     if item.kind == "holds, if":
         return differs(item.value, derived.xreplace(item.condition), item.digits)
     return differs(item.right, derived, item.digits) if item.right is not None else ""

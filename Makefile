@@ -24,8 +24,9 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 bench: .venv/ready  ## measure speed and memory
 	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
-browser: .venv/ready .venv-browser/ready  ## move a slider in a real Chromium
-	.venv-browser/bin/python tests/browser_check.py notebooks/A1_forward_kinematics.ipynb
+browser: .venv/ready .venv-browser/ready  ## move a slider of every explorer's notebook in a real Chromium
+	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
+	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
 
 clean:  ## remove what was made here, except work/
 	rm -rf .venv .venv-browser figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks

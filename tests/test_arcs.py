@@ -104,6 +104,8 @@ def test_the_closed_forms_agree_with_integrals():
 def test_around_is_what_a_link_reaches_about_every_point():
     assert annulus(0, 0, 1, 2).around(0.3).area == pytest.approx(pi * (2.3**2 - 0.7**2), rel=1e-12)
     assert disc(0, 0, 0.5).around(0.6).area == pytest.approx(pi * (1.1**2 - 0.1**2), rel=1e-12)
+    convex = LENS.area + 0.3 * LENS.perimeter + pi * 0.3**2  # Steiner's formula; its circles touch each other
+    assert LENS.around(0.3).area == pytest.approx(convex, rel=1e-12)
     rng = np.random.default_rng(4)
     for region in (LENS, LENS & annulus(0.5, 0.3, 0.4, 2), annulus(0, 0, 1, 1.5)):
         for radius in (0.2, 0.9, 1.4):

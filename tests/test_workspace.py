@@ -59,10 +59,12 @@ def test_a_fixed_joint_and_a_step_that_does_not_divide_the_range():
 
 
 def test_occupancy_marks_the_cube_of_each_point_and_no_other():
-    swept = workspace.sweep(RANGES, 15 * DEGREE, "gripper")
+    limits = RANGES.copy()
+    limits[0] = DEGREE * np.array([0, 60])  # so that x and y differ
+    swept = workspace.sweep(limits, 15 * DEGREE, "gripper")
     edge = 0.0317
     cubes = workspace.occupancy(swept, edge)
-    x, z = np.outer(np.cos(swept.azimuth), swept.r), np.broadcast_to(swept.z, (25, len(swept.z)))
+    x, z = np.outer(np.cos(swept.azimuth), swept.r), np.broadcast_to(swept.z, (5, len(swept.z)))
     points = np.stack([x, np.outer(np.sin(swept.azimuth), swept.r), z], axis=-1).reshape(-1, 3)
     marked = np.zeros_like(cubes.grid)
     marked[tuple(np.rint((points - cubes.first) / edge).astype(int).T)] = True

@@ -102,7 +102,7 @@ def section(limits: np.ndarray, point: str = "wrist", geometry: arm.Geometry = a
     theta_1 does not matter to it, nor theta_4 to the wrist. The gripper's section is known where theta_2 and
     theta_3 can move and theta_4 turns fully; InputError otherwise.
 
-    Source: notebook A2, section 5.
+    Source: notebook A2, sections 4 and 7.
     """
     limits, _ = _limits(limits), _row(point)
     region = Region(_circles(limits, geometry), lambda points: _wrist_reaches(points, limits, geometry))

@@ -84,7 +84,7 @@ WRONG = {
         (0.1, "L_3 lies beyond"),
         (0, "comes back to the shoulder"),
         (0.3, "more than it should be, by 0.1000 m"),
-        ([0.2, 0.2], "shape (2,)"),
+        ([0.2, 0.2], "shape (2,), where one number is expected"),
     ],
     "A2.2": [
         (..., "not attempted"),

@@ -80,7 +80,10 @@ EXERCISES = {
                 "this is half of the shell. But theta_1 brings the arm's plane round, so what is lost on one side "
                 "can be reached from the other.",
             ),
-            (lambda x: _about(x, SHELL_VOLUME), "this is the whole shell; a little of it is lost."),
+            (
+                lambda x: _about(x, SHELL_VOLUME),
+                "this is the whole shell, or twice the section's volume; what both sides reach counts once.",
+            ),
             (lambda x: _about(x, VOLUME * 1000), "this is in litres; cubic metres are expected."),
             (
                 lambda x: _about(x, (ONE_WAY | ONE_WAY.mirror()).area),
@@ -89,11 +92,12 @@ EXERCISES = {
         ),
         describe=lambda x: _off(x, VOLUME, "m^3"),
         hints=(
-            "workspace.section gives what the wrist reaches in the arm's plane, for one theta_1.",
+            "workspace.section(limits) gives what the wrist reaches for one theta_1; limits is as in section 1.",
             "Turned half round, that region becomes its mirror image: region | region.mirror().",
         ),
-        explanation="In its own plane the arm loses about half. But $\\theta_1 + 180°$ puts the mirror image "
-        "beside it, and both together are 94 % of the shell. Turning the base makes up for most of the elbow.",
+        explanation="Half of the postures are lost, and a quarter of the section's area. "
+        "But $\\theta_1 + 180°$ puts the mirror image beside it, and both together are 94 % of the shell. "
+        "Turning the base makes up for most of the elbow.",
         code="limits = np.deg2rad([[0, 360], [-90, 90], [0, 90], [0, 360]])\n"
         "region = workspace.section(limits)\n"
         "answer_2 = (region | region.mirror()).volume",

@@ -59,7 +59,8 @@ def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
                 "numbers are expected; no symbols, words or dots may be left in."
             ) from None
         if value.shape not in (shape, (*shape, 1), (1, *shape)):
-            raise UnreadableAnswerError(f"shape {value.shape}, where {shape} is expected.")
+            wanted = f"{shape} is expected" if shape else "one number is expected"
+            raise UnreadableAnswerError(f"shape {value.shape}, where {wanted}.")
         if not np.isfinite(value).all() or np.abs(value.imag).max() > 0:
             raise UnreadableAnswerError("every number is expected to be real and finite.")
         return value.real.reshape(shape)

@@ -6,7 +6,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2
+from lynx_common.course.exercises import a2, b1
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -36,6 +36,13 @@ RIGHT = {
     "A2.1": [0.2, [0.2], sp.Rational(1, 5), np.float64(0.20004)],
     "A2.2": [a2.VOLUME, 0.16205, [0.1621]],
     "A2.3": [a2.SCARA.area * 0.15, 0.11815],
+    "B1.1": [
+        [-1.4455, 1.4455],
+        [-np.arccos(0.125), np.arccos(0.125)],
+        sp.Matrix([-sp.acos(sp.Rational(1, 8)), sp.acos(sp.Rational(1, 8))]),
+    ],
+    "B1.2": [-pi / 2, pi / 2, sp.pi / 2, [3 * pi / 2]],
+    "B1.3": [8.36, 8.364, [np.sqrt(8.6**2 - 4)]],
     "A3.1": [[0.25, 0, 0.2], sp.Matrix([0.25, 0, 0.2]), [[0.25, 0, 0.2]]],
     "A3.2": [
         behind[2],
@@ -103,6 +110,31 @@ WRONG = {
         (a2.SCARA.volume, "nothing turns about the axis"),
         (a2.SCARA.area * 150, "in litres"),
         (0.2, "more than it should be"),
+    ],
+    "B1.1": [
+        (..., "not attempted"),
+        ([-82.82, 82.82], "right in degrees"),
+        ([1.4455, -1.4455], "lowest comes first"),
+        ([pi / 2 - 1.4455, pi / 2 + 1.4455], "the pitch is 90 deg less"),
+        ([-b1.AT_THE_ELBOW, b1.AT_THE_ELBOW], "angle at the shoulder"),
+        ([1.4, 1.4], "an interval is expected"),
+        ([-1.3455, 1.4455], "the lowest is off by 0.100 rad, the highest by 0.000 rad"),
+        (1.4455, "shape (), where (2,) is expected"),
+    ],
+    "B1.2": [
+        (..., "not attempted"),
+        (-90, "right in degrees"),
+        (0, "along the belt"),
+        (-3 * pi / 4, "leaves out theta_1"),
+        (1.0, "33 deg off"),
+    ],
+    "B1.3": [
+        (..., "not attempted"),
+        (np.sqrt(8.6**2 - 3.5**2), "a bucket's length above"),
+        (np.sqrt(10.1**2 - 3.5**2), "stretches the bucket"),
+        (np.sqrt(8.6**2 - 0.5**2), "counts the depth from the boom's joint"),
+        (8.6, "only at the height"),
+        (9, "0.64 m too much"),
     ],
     "A3.1": [
         (..., "not attempted"),

@@ -43,7 +43,7 @@ RIGHT = {
     ],
     "B1.2": [-pi / 2, pi / 2, sp.pi / 2, [3 * pi / 2]],
     "B1.3": [8.36, 8.364, [np.sqrt(8.6**2 - 4)]],
-    "A3.1": [[0.25, 0, 0.2], sp.Matrix([0.25, 0, 0.2]), [[0.25, 0, 0.2]]],
+    "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
         behind[2] + [2 * pi, 0, 0, 0, 1.2],
@@ -138,11 +138,11 @@ WRONG = {
     ],
     "A3.1": [
         (..., "not attempted"),
-        ([0.25, 0, 0.1], "the gripper, not the wrist"),
-        ([0.25, 0, 0], "the wrist is above"),
-        ([0.15, 0, 0.1], "level and outwards"),
-        ([0.25, 0, 0.1 + 0.1 - 0.1 + 1e-9], "the gripper, not the wrist"),
-        ([0.35, 0, 0.2], "0.100 m from the wrist"),
+        ([0.25, 0, 0.05], "the gripper, not the wrist"),
+        ([0.25, 0, -0.05], "the wrist is above"),
+        ([0.15, 0, 0.05], "level and outwards"),
+        ([0.25, 0, 0.15 - 0.1 + 1e-5], "the gripper, not the wrist"),
+        ([0.35, 0, 0.15], "0.100 m from the wrist"),
         ([0.25, 0.2], "shape (2,)"),
     ],
     "A3.2": [
@@ -151,7 +151,7 @@ WRONG = {
         (behind[2] - [0, 0, 0, pi / 2, 0], "theta_4 of Table 1.1"),
         (behind[0], "the cable does not allow"),
         (behind[3], "elbow down"),
-        (arm.joint_angles([behind[2][0], -np.hypot(0.2, 0.1), 0.3, 0, 0])[0], "points another way"),
+        (arm.joint_angles([behind[2][0], -np.hypot(0.2, 0.1), 0.3, 0, 0])[0], "seen from the front"),
         ([0, 0, 0, 0, 0], "0.678 m from the object, and its axis is 90 deg off"),
     ],
     "A3.3": [
@@ -159,6 +159,7 @@ WRONG = {
         ([*scara_inverse(C, -1), d_1 - z], "the other elbow"),
         ([*scara_inverse(C), z - d_1], "d_3 is d_1 - z"),
         ([scara_inverse(C)[0].replace(sp.atan2, lambda b, a: sp.atan(b / a)), sp.acos(C), d_1 - z], "quadrant"),
+        ([2 * sp.atan2(y, x) - scara_inverse(C)[0], sp.acos(C), d_1 - z], "taken off, not added"),
         ([scara_inverse(C)[0], sum(scara_inverse(C)), d_1 - z], "counted from the first link"),
         ([scara_inverse(C)[0], sp.acos(3 + C), d_1 - z], "it gives no number"),
         ([scara_inverse(C)[0], 0, z], "seen from above it is off, its height is off"),

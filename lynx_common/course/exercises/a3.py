@@ -8,7 +8,7 @@ from ...symbolic import P, numeric
 from .exercise import TOLERANCE, Exercise, expressions, numbers
 
 # A3.1: the wrist above a gripper that points down.
-GRIPPER = np.array([0.25, 0, 0.1])
+GRIPPER = np.array([0.25, 0, 0.05])
 
 
 def _wrist(direction: np.ndarray) -> np.ndarray:
@@ -111,9 +111,9 @@ EXERCISES = {
             ),
         ),
         describe=lambda p: f"this is {np.linalg.norm(p - _wrist([0, 0, -1])):.3f} m from the wrist.",
-        hints=("What is the gripper's axis a, if it points straight down?", "The wrist is at p - L_3 a."),
+        hints=("The wrist is at p - L_3 a.", "The axis a of a gripper that points straight down is (0, 0, -1)."),
         explanation="The axis is $a = (0, 0, -1)$, so $p - L_3 a$ is $L_3$ *above* the gripper.",
-        code="answer_1 = np.array([0.25, 0, 0.1]) - arm.LYNX.L_3 * np.array([0, 0, -1])",
+        code="answer_1 = np.array([0.25, 0, 0.05]) - arm.LYNX.L_3 * np.array([0, 0, -1])",
     ),
     "A3.2": Exercise(
         read=numbers((5,)),
@@ -131,14 +131,14 @@ EXERCISES = {
             (lambda q: _held(q) and not _elbow_up(q), "the object is held, but with the elbow down."),
             (
                 lambda q: _near(arm.forward_kinematics(q)[:3, 3], OBJECT),
-                "the gripper is at the object, but points another way. Seen from a turned shoulder, level and "
-                "away from the base is a pitch of 180 deg.",
+                "the gripper is at the object, but points another way. inverse_kinematics takes the pitch "
+                "seen from the front, for all four branches: here 0.",
             ),
         ),
         describe=_describe_held,
         hints=(
             "In which two branches is theta_1 turned by 180 deg from the direction of the object?",
-            "arm.inverse_kinematics returns four rows, in the order of arm.BRANCHES.",
+            "arm.inverse_kinematics(position, pitch) returns four rows, in the order of arm.BRANCHES; pitch is 0.",
         ),
         explanation="The object's azimuth is 153°, which the cable does not allow. Turned by 180° the shoulder "
         "is at -27°, which it allows. So it has to be a *back* branch, and of these the one with the elbow up.",
@@ -161,6 +161,10 @@ EXERCISES = {
             (
                 lambda answer: _tool_there(sp.Matrix([answer[0], answer[1] - answer[0], answer[2]])),
                 "theta_2 is counted from the first link; this is counted from x.",
+            ),
+            (
+                lambda answer: _tool_there(sp.Matrix([2 * sp.atan2(y, x) - answer[0], answer[1], answer[2]])),
+                "in theta_1 the angle within the triangle is to be taken off, not added, for theta_2 >= 0.",
             ),
         ),
         describe=_describe_scara,

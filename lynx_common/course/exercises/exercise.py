@@ -87,7 +87,7 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
         value = value.reshape(size, 1).subs({s: by_name.get(s.name, s) for s in value.free_symbols})
         if unknown := sorted(map(str, value.free_symbols - {*symbols})):
             raise UnreadableAnswerError(
-                f"it holds {', '.join(unknown)}, which the arm lacks; the symbols are {', '.join(by_name)}."
+                f"it holds {', '.join(unknown)}, which may not stand in the answer; use {', '.join(by_name)}."
             )
         return value
 

@@ -16,7 +16,7 @@ theta_1, theta_2, theta_3, theta_4, theta_5 = Q
 d_1, L_1, L_2, L_3 = P
 r, z, pitch = TASK[1:4]
 r_wrist, h = WRIST
-x, y, D, sigma, c_3 = sp.symbols("x y D sigma c_3", real=True)
+x, y, D, sigma, c_3, c_2, s_2 = sp.symbols("x y D sigma c_3 c_2 s_2", real=True)
 R_13, R_23, R_31, R_32, R_33 = sp.symbols("R_13 R_23 R_31 R_32 R_33", real=True)
 forearm, gripper = theta_2 + theta_3, theta_2 + theta_3 + theta_4
 
@@ -25,15 +25,16 @@ R_wrist, R_target = sp.MatrixSymbol("R_wrist", 3, 3), sp.MatrixSymbol("R_target"
 T_1, T_2, T_3 = (sp.MatrixSymbol(f"T_{i}", 3, 3) for i in (1, 2, 3))
 TO_THE_WRIST, TO_THE_GRIPPER = LINKS[0] * LINKS[1] * LINKS[2], sp.prod(LINKS[1:], LINKS[0])
 
+WRIST_UP, TABLE_1_1 = L_1 * sin(theta_2) + L_2 * sin(forearm), {theta_4: theta_4 + pi / 2}
 ALONG, ACROSS = L_1 + L_2 * cos(theta_3), L_2 * sin(theta_3)  # the wrist seen along the upper arm
 COSINE = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
 DISTANCE_2 = r_wrist**2 + h**2
 
-TABLE_1_1 = {theta_4: theta_4 + pi / 2}
 IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
-QUADRANT = "wrong: it finds half of all azimuths; atan2(y, x) finds all, and adding 180 deg is a solution too"
+k = sp.Symbol("k", integer=True)
+ONE_AZIMUTH = "holds, if x is not 0; it is one of two azimuths, 180 deg apart"
 ONE_ELBOW = "holds, if the elbow with a positive theta_3 is meant; the negative one reaches the same wrist"
-NO_ZERO_BY_ZERO = "wrong: x / cos(theta_1) is 0/0 at theta_1 = 90 deg; x cos(theta_1) + y sin(theta_1) is not"
+NOT_AT_90 = "cos(theta_1) is not 0; x cos(theta_1) + y sin(theta_1) holds there too"
 
 # Fig. 1.5: five angles in degrees, position and its error in metres, orientation row by row and its error.
 ORIENTATION = [0.7071, 0, 0.7071, -0.7071, 0, 0.7071, 0, -1, 0]
@@ -45,7 +46,7 @@ UPRIGHT = sp.Matrix([[C, 0, S, x], [0, 1, 0, y], [-S, 0, C, z], [0, 0, 0, 1]])
 IN_THE_PLANE = sp.Matrix([[c * C, -s, -c * S, x], [s * C, c, -s * S, y], [S, 0, C, z], [0, 0, 0, 1]])
 
 
-def _item(number: int, says: str, printed: sp.Eq, verdict: str = "holds", **facts) -> Item:
+def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", **facts) -> Item:
     page = 5 if number <= 7 else 6 if number <= 11 else 7
     return Item(f"eq. 1.{number}", f"1.3, p. {page}", says, printed, NOTEBOOK, verdict, **facts)
 
@@ -55,10 +56,16 @@ def _claim(number: int, says: str, verdict: str) -> Item:
 
 
 ITEMS = [
-    _item(3, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), QUADRANT, right=atan2(y, x)),
+    _item(
+        3,
+        "the azimuth of the base",
+        sp.Eq(theta_1, atan(y / x)),
+        "wrong: with the r of (1.4), which is not negative, it has to be the target's azimuth, atan2(y, x)",
+        right=atan2(y, x),
+    ),
     _item(
         4,
-        "what the triangle of the links has to span: distance and height of the target from the shoulder",
+        "what the triangle of the links has to span: distance and height of the target",
         sp.Eq(sp.Matrix([r_wrist, h]), sp.Matrix([r, z - d_1])),
         "holds, if L_3 = 0; else the wrist is to be taken, which is L_3 short of the target",
         condition={L_3: sp.Integer(0)},
@@ -106,29 +113,29 @@ ITEMS = [
         "wrong: it leaves out theta_1, and turns the gripper down where (1.16) turns it up",
         right=IN_THE_PLANE,
     ),
-    _item(14, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), QUADRANT, right=atan2(y, x)),
+    _item(14, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), ONE_AZIMUTH, condition={k: sp.Integer(0)}),
     _item(
         15,
         "signed distance of the gripper from the base axis, as a sum of three links",
-        sp.Eq(L_1 * cos(theta_2) + L_2 * cos(forearm) + L_3 * cos(gripper), x / cos(theta_1)),
-        NO_ZERO_BY_ZERO,
-        right=x * cos(theta_1) + y * sin(theta_1),
+        sp.Matrix([L_1 * cos(theta_2) + L_2 * cos(forearm) + L_3 * cos(gripper), x / cos(theta_1)]),
+        f"{IF_TABLE_1_1}, and {NOT_AT_90}",
+        condition=TABLE_1_1 | {y: x * sp.tan(theta_1)},
     ),
     _item(
         16,
         "height of the gripper over the shoulder, as a sum of three links",
-        sp.Eq(z - d_1, L_1 * sin(theta_2) + L_2 * sin(forearm) + L_3 * sin(gripper)),
+        sp.Eq(z - d_1, WRIST_UP + L_3 * sin(gripper)),
         IF_TABLE_1_1,
         condition=TABLE_1_1,
     ),
     _item(
         17,
         "signed distance of the wrist",
-        sp.Eq(r_wrist, x / cos(theta_1) - L_3 * cos(pitch)),
-        NO_ZERO_BY_ZERO,
-        right=x * cos(theta_1) + y * sin(theta_1) - L_3 * cos(pitch),
+        sp.Matrix([x / cos(theta_1) - L_3 * cos(pitch), L_1 * cos(theta_2) + L_2 * cos(forearm)]),
+        f"holds, if {NOT_AT_90}",
+        condition={y: x * sp.tan(theta_1)},
     ),
-    _item(18, "height of the wrist over the shoulder", sp.Eq(h, z - d_1 - L_3 * sin(pitch))),
+    _item(18, "height of the wrist over the shoulder", sp.Matrix([z - d_1 - L_3 * sin(pitch), WRIST_UP])),
     _item(19, "the law of cosines for the elbow", sp.Eq(c_3, COSINE)),
     _item(
         20,
@@ -141,15 +148,11 @@ ITEMS = [
     _item(
         22,
         "the shoulder's cosine",
-        sp.Eq(sp.Symbol("c_2"), (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
+        sp.Eq(c_2, (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
         "wrong: the sign between the two terms is plus",
         right=(ALONG * r_wrist + ACROSS * h) / DISTANCE_2,
     ),
-    _item(
-        23,
-        "the shoulder's angle from its sine and cosine",
-        sp.Eq(theta_2, atan2(*sp.symbols("s_2 c_2", real=True))),
-    ),
+    _item(23, "the shoulder's angle from its sine and cosine", sp.Eq(theta_2, atan2(s_2, c_2))),
     _item(
         24,
         "the wrist's angle makes up the pitch",
@@ -185,12 +188,12 @@ ITEMS = [
     _claim(
         2,
         "the orientation error may come from the ranges of the joints or from the mechanics",
-        "wrong: the very pose is reached without error, on two branches within the joint limits assumed here",
+        "wrong: it comes from (1.10) and (1.11); with these mended, the same first three angles leave no error",
     ),
     _claim(
         3,
         "the method is numerical; its convergence or initial guess may be at fault",
-        "wrong: nothing converges in it; in exact arithmetic the error is 1/10 m, exactly",
+        "wrong: nothing converges in it; with 50 digits the error is still 0.1 m, in all of them",
     ),
     _claim(4, "once theta_1 is known, what remains is a planar arm of three links", "holds"),
 ]

@@ -41,7 +41,7 @@ def joint_angles(task: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
         Elbow up, elbow down: up is the one whose elbow is higher. Both rows are equal at full stretch. Rows
         of a target that the links cannot reach are NaN.
 
-    Source: report eqs. (1.14) to (1.24), with their errors mended.
+    Source: report eqs. (1.14) to (1.24), with their errors mended; notebook A3, sections 1 to 3.
     """
     return _on_reachable(_both_elbows(), real(task, TASK), geometry)
 
@@ -66,7 +66,7 @@ def inverse_kinematics(
     q : array, shape (..., 4, 5)
         Joint angles in (-pi, pi], one row per entry of ``BRANCHES``; NaN where the links do not reach.
 
-    Source: report eqs. (1.14) to (1.24), for both shoulders. Joint limits are not applied (``within_limits``).
+    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits are not applied (``within_limits``).
     """
     position, pitch, roll = real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll")
     batch = np.broadcast_shapes(position.shape[:-1], pitch.shape, roll.shape)

@@ -25,11 +25,12 @@ R_wrist, R_target = sp.MatrixSymbol("R_wrist", 3, 3), sp.MatrixSymbol("R_target"
 T_1, T_2, T_3 = (sp.MatrixSymbol(f"T_{i}", 3, 3) for i in (1, 2, 3))
 TO_THE_WRIST, TO_THE_GRIPPER = LINKS[0] * LINKS[1] * LINKS[2], sp.prod(LINKS[1:], LINKS[0])
 
-WRIST_UP, TABLE_1_1 = L_1 * sin(theta_2) + L_2 * sin(forearm), {theta_4: theta_4 + pi / 2}
+WRIST_UP = L_1 * sin(theta_2) + L_2 * sin(forearm)
 ALONG, ACROSS = L_1 + L_2 * cos(theta_3), L_2 * sin(theta_3)  # the wrist seen along the upper arm
 COSINE = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
 DISTANCE_2 = r_wrist**2 + h**2
 
+TABLE_1_1 = {theta_4: theta_4 + pi / 2}
 IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
 k = sp.Symbol("k", integer=True)
 ONE_AZIMUTH = "holds, if x is not 0; it is one of two azimuths, 180 deg apart"
@@ -47,8 +48,7 @@ IN_THE_PLANE = sp.Matrix([[c * C, -s, -c * S, x], [s * C, c, -s * S, y], [S, 0, 
 
 
 def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", **facts) -> Item:
-    page = 5 if number <= 7 else 6 if number <= 11 else 7
-    return Item(f"eq. 1.{number}", f"1.3, p. {page}", says, printed, NOTEBOOK, verdict, **facts)
+    return Item(f"eq. 1.{number}", "1.3, pp. 5-7", says, printed, NOTEBOOK, verdict, **facts)
 
 
 def _claim(number: int, says: str, verdict: str) -> Item:

@@ -82,8 +82,8 @@ class JumpError(LynxError):
     def __init__(self, sample: int, joint: int, step: float, largest: float):
         self.sample, self.joint, self.step, self.largest = sample, joint, step, largest
         super().__init__(
-            f"Between samples {sample - 1} and {sample} joint {joint} would move by {degrees(step):.2f} deg; beyond "
-            f"{degrees(largest):.0f} deg a motion cannot be told from a jump. If it is one, more samples do not help."
+            f"Between samples {sample - 1} and {sample} joint {joint} would move by {degrees(step):.2f} deg; "
+            f"more than {degrees(largest):.0f} deg is a jump, or too few samples."
         )
 
 

@@ -66,7 +66,8 @@ def inverse_kinematics(
     q : array, shape (..., 4, 5)
         Joint angles in (-pi, pi], one row per entry of ``BRANCHES``; NaN where the links do not reach.
 
-    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits are not applied (``within_limits``).
+    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits
+    are not applied (``within_limits``).
     """
     position, pitch, roll = real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll")
     batch = np.broadcast_shapes(position.shape[:-1], pitch.shape, roll.shape)

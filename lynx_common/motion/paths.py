@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..arm.inverse import XYZ
 from ..errors import InputError
 from ..symbolic import TASK, real
 
@@ -74,9 +75,11 @@ def arc(
     """
     if not radius > 0:
         raise InputError(f"The radius of an arc is a positive length in metres; {radius} was given.")
-    (r, z), spans = centre, zip(angles, pitch, strict=True)
+    if angles[0] == angles[1]:
+        raise InputError(f"An arc needs two different angles; both are {angles[0]} rad: its length is zero.")
+    _, r, z, _, _ = _finite([azimuth, *centre, pitch[0], roll])
     # A line in (azimuth, radius, polar angle, pitch, roll), bent.
-    polar = line(*([azimuth, radius, angle, tilt, roll] for angle, tilt in spans))
+    polar = line(*([azimuth, radius, angle, tilt, roll] for angle, tilt in zip(angles, pitch, strict=True)))
 
     def point(s: np.ndarray) -> np.ndarray:
         azimuth, radius, angle, pitch, roll = np.moveaxis(polar.point(s), -1, 0)
@@ -88,30 +91,27 @@ def arc(
         along[..., 1], along[..., 2] = -turning * np.sin(angle), turning * np.cos(angle)
         return along
 
-    if angles[0] == angles[1]:
-        raise InputError(f"An arc needs two different angles; both are {angles[0]} rad: its length is zero.")
-    _finite(point(np.zeros(1)))
     return Path(point, slope)
 
 
-def space_line(
-    start: np.ndarray, end: np.ndarray, pitch: tuple[float, float], roll: float = 0.0
-) -> Path:
+def space_line(start: np.ndarray, end: np.ndarray, pitch: tuple[float, float], roll: float = 0.0) -> Path:
     """The straight line in space between two positions, (3,) metres in the base frame.
 
     The azimuth follows the gripper and is not wrapped on the way; r is positive, unless the line meets the base
     axis: then the azimuth stays as it is and r runs on below zero. The first pitch holds at the start, the
     second at the end. Raises InputError where both positions are equal.
     """
-    start, end = (np.array(position, dtype=float) for position in (start, end))
+    start, end = real(start, XYZ), real(end, XYZ)
     if np.array_equal(start, end):
         raise InputError(f"A line needs two different ends; both are {start.tolist()}: its length is zero.")
-    (x, y, _), (u, v, w) = start, end - start
+    (x, y, _), (u, v, _) = start, end - start
     first, last = np.arctan2(y, x), np.arctan2(end[1], end[0])
     if abs(x * v - y * u) <= ROOM * np.hypot(u, v):  # it meets the base axis, or is upright
         azimuth = first if np.hypot(x, y) > ROOM else last
         towards = np.array([np.cos(azimuth), np.sin(azimuth), 0])
-        return line(*([azimuth, p @ towards, p[2], tilt, roll] for p, tilt in zip((start, end), pitch, strict=True)))
+        return line(
+            *([azimuth, p @ towards, p[2], tilt, roll] for p, tilt in zip((start, end), pitch, strict=True))
+        )
     ends = line([*start, pitch[0], roll], [*end, pitch[1], roll])
 
     def point(s: np.ndarray) -> np.ndarray:
@@ -135,12 +135,16 @@ def joined(*paths: Path) -> Path:
     Each must begin where the one before ends, to 1e-9, full turns of its angles aside: it is moved by these, so
     that nothing jumps. Raises InputError otherwise, with the two sets of task coordinates.
     """
+    if not paths:
+        raise InputError("One path or more is needed; none was given.")
     moved = list(paths[:1])
     for number, path in enumerate(paths[1:], start=1):
         end, start = moved[-1](1.0), path(0.0)
         turns = 2 * np.pi * np.rint((end - start) / (2 * np.pi)) * ANGLES
         if not np.abs(start + turns - end).max() <= ROOM:
-            raise InputError(f"Path {number} begins at {start.round(6)}, where the one before ends at {end.round(6)}.")
+            raise InputError(
+                f"Path {number} begins at {start.round(6)}, where the one before ends at {end.round(6)}."
+            )
         moved.append(Path(lambda s, path=path, turns=turns: path.point(s) + turns, path.slope))
     return Path(
         lambda s: _by_share(s, [path.point for path in moved]),
@@ -182,6 +186,6 @@ def _by_share(s: np.ndarray, functions: list[Callable]) -> np.ndarray:
 
 def _finite(task: np.ndarray) -> np.ndarray:
     task = real(task, TASK)
-    if task.shape[:-1] not in ((), (1,)) or not np.isfinite(task).all():
+    if task.shape != (5,) or not np.isfinite(task).all():
         raise InputError(f"Five finite task coordinates are expected; {task.tolist()} was given.")
     return task

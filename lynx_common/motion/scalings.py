@@ -55,7 +55,7 @@ def trapezoidal(tau: np.ndarray, blend: float = 0.25) -> Scaling:
     speed = 1 / (1 - blend)
     acceleration = speed / blend
     rising, falling = np.minimum(tau, blend), np.maximum(tau - (1 - blend), 0)
-    s = speed * (tau - blend) + acceleration / 2 * ((blend - rising) ** 2 - falling**2) + speed * blend / 2
+    s = speed * np.maximum(tau - blend, 0) + acceleration / 2 * (rising**2 - falling**2)
     s_ddot = acceleration * ((tau < blend) * 1.0 - (tau > 1 - blend))
     return s, acceleration * (rising - falling), s_ddot
 

@@ -1,0 +1,183 @@
+"""Joint angles along samples of a path, on one continuous branch."""
+
+from dataclasses import dataclass
+from itertools import product
+from math import ceil, floor
+
+import numpy as np
+
+from .. import arm
+from ..arm.geometry import AT_LIMIT
+from ..arm.inverse import reach, wrist
+from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
+from ..symbolic import TASK, real
+
+# A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
+LARGEST_STEP = np.pi / 2
+
+# So near to 0 (radians) is theta_3 at full stretch, where the two elbows are one: at distance e from it theta_3
+# is about sqrt(8 e / reach), and rounding makes that 1e-7.
+STRETCHED = 1e-6
+
+
+@dataclass(frozen=True)
+class Followed:
+    """Joint angles along a path of n samples, and where it cannot be followed.
+
+    q : (n, 5) radians, not wrapped; NaN at each sample that fails.
+    reached : (n,) bool; the links reach.
+    allowed : (n,) bool; the joints are within their limits, without full turns taken off (True if not reached).
+    continuous : (n,) bool; the sample is not a jump away from the one before.
+    failure : PathError that says which sample fails first, why, and by how much; None if none does.
+    """
+
+    q: np.ndarray
+    reached: np.ndarray
+    allowed: np.ndarray
+    continuous: np.ndarray
+    failure: PathError | None
+
+    @property
+    def ok(self) -> bool:
+        return self.failure is None
+
+
+def follow(task: np.ndarray, geometry: arm.Geometry = arm.LYNX, limits: np.ndarray = arm.JOINT_LIMITS) -> Followed:
+    """Joint angles that follow samples of a path continuously within joint limits, with the least travel.
+
+    Joint travel is the sum of the Euclidean norms of the steps in joint space. A motion keeps the sign of theta_3,
+    which is what it means to stay on an elbow (which of the two is the higher one changes where the wrist passes
+    above the shoulder); it may change sign only at a sample at full stretch, where both elbows are one. Nor can
+    it add a full turn on the way. Among all motions this leaves, first those with the fewest samples that fail
+    are chosen, then the one of least travel: dynamic programming over elbows and full turns.
+
+    Parameters
+    ----------
+    task : array, shape (n, 5)
+        Task coordinates, as a ``Path`` gives them; samples such that no joint moves by 90 deg between two.
+    limits : array, shape (5, 2)
+        Lower and upper joint limits in radians.
+
+    Returns
+    -------
+    followed : Followed
+        Its q has ``task`` for task coordinates, give or take full turns. What happens between the samples is not
+        asked. Raises InputError where ``task`` is not of shape (n, 5) or not finite, or limits make no sense.
+    """
+    task, limits = _samples(task), _limits(limits)
+    elbows = _elbows(task, geometry)
+    reached = np.isfinite(elbows[:, 0, 0])
+    turns = _turns(elbows[reached], limits)
+    candidates = elbows[:, :, None] + turns  # (n, elbows, turns, 5)
+    allowed = ~((_excess(candidates, limits) > AT_LIMIT).any(axis=-1) & reached[:, None, None])
+    steps = np.diff(elbows, axis=0)
+    jump = np.abs(steps).max(axis=-1) > LARGEST_STEP  # False at NaN
+    chosen = _least_travel(np.linalg.norm(steps, axis=-1), jump, np.abs(elbows[:, 0, 2]) <= STRETCHED, allowed)
+    pick = (np.arange(len(task)), *chosen)
+    q, allowed, continuous = candidates[pick], allowed[pick], np.ones(len(task), bool)
+    continuous[1:] = ~(np.abs(np.diff(q, axis=0)).max(axis=-1) > LARGEST_STEP)
+    failure = _failure(task, q, (reached, allowed, continuous), geometry, limits)
+    fails = ~(reached & allowed & continuous)
+    return Followed(np.where(fails[:, None], np.nan, q), reached, allowed, continuous, failure)
+
+
+def _samples(task: np.ndarray) -> np.ndarray:
+    task = real(task, TASK)
+    if task.ndim != 2:
+        raise InputError(f"Samples of task coordinates are expected, (n, 5); the shape given is {task.shape}.")
+    for sample in np.flatnonzero(~np.isfinite(task).all(axis=1)):
+        raise InputError(f"Sample {sample} of the path is not finite: {task[sample].tolist()}.")
+    return task
+
+
+def _limits(limits: np.ndarray) -> np.ndarray:
+    limits = np.asarray(limits, dtype=float)
+    if limits.shape != (5, 2) or not np.isfinite(limits).all() or (limits[:, 0] > limits[:, 1]).any():
+        raise InputError(f"Joint limits are five finite pairs, lower and upper; {limits.tolist()} was given.")
+    return limits
+
+
+def _elbows(task: np.ndarray, geometry: arm.Geometry) -> np.ndarray:
+    """Joint angles (n, 2, 5), theta_3 >= 0 first, without full turns between samples."""
+    rows = arm.joint_angles(task, geometry)
+    with np.errstate(invalid="ignore"):
+        rows = np.where(rows[:, :1, 2:3] >= 0, rows, rows[:, ::-1])
+    # Both elbows run on from turn to turn together, as the direction of the wrist does, halfway between them.
+    steps = np.rint(np.diff(rows.mean(axis=1), axis=0) / (2 * np.pi))
+    rows[1:] -= 2 * np.pi * np.cumsum(np.nan_to_num(steps), axis=0)[:, None]
+    return rows
+
+
+def _turns(elbows: np.ndarray, limits: np.ndarray) -> np.ndarray:
+    """Full turns, (k, 5) radians, that added to a whole motion may bring it within limits."""
+    if not len(elbows):
+        return np.zeros((1, 5))
+    choices = []
+    for joint, (lower, upper) in enumerate(limits + np.array([-AT_LIMIT, AT_LIMIT])):
+        angles = elbows[..., joint, None]
+        low, high = angles.min(), angles.max()
+        first, last = ceil((lower - high) / (2 * np.pi)), floor((upper - low) / (2 * np.pi))
+        if first > last:  # no sample is within limits: as near to them as may be
+            first = last = round((lower + upper - low - high) / (4 * np.pi))
+        turns = 2 * np.pi * np.array(sorted(range(first, last + 1), key=abs))
+        outside = ((angles + turns < lower) | (angles + turns > upper)).sum(axis=(0, 1))
+        # Where one choice keeps the limits all along, it will do. Azimuth and roll do not depend on the elbow.
+        one = outside.min() == 0 or joint in (0, 4)
+        choices.append(turns[[outside.argmin()]] if one else turns)
+    return np.array(list(product(*choices)))
+
+
+def _excess(q: np.ndarray, limits: np.ndarray) -> np.ndarray:
+    """By how much joint angles (..., 5) exceed their limits, in radians; NaN at NaN."""
+    lower, upper = limits.T
+    return np.maximum(0, np.maximum(lower - q, q - upper))
+
+
+def _least_travel(
+    travel: np.ndarray, jump: np.ndarray, stretched: np.ndarray, allowed: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """The elbow and the full turns of each sample, two arrays (n,).
+
+    ``travel`` and ``jump`` are (n - 1, 2), of each step and elbow, with NaN beside a sample out of reach;
+    ``stretched`` is (n,), ``allowed`` (n, 2, turns).
+    """
+    n, _, turns = allowed.shape
+    fails = 1 + np.nansum(travel)  # more than any travel
+    elbow, turn = np.divmod(np.arange(2 * turns), turns)  # of each state
+    goes_on = (turn[:, None] == turn) & ((elbow[:, None] == elbow) | stretched[:-1, None, None])
+    goes_on |= np.isnan(travel[:, :1, None])  # beside a sample out of reach the motion is broken anyway
+    step = np.where(jump, fails, np.nan_to_num(travel))[:, None, elbow]
+    step = np.where(goes_on, step, np.inf)  # from any state (rows) to any
+    here = fails * ~allowed.reshape(n, 2 * turns)
+    cost, came = here[:1].sum(axis=0), np.empty((max(n - 1, 0), len(elbow)), int)
+    for i in range(n - 1):
+        total = cost[:, None] + step[i]
+        came[i] = total.argmin(axis=0)
+        cost = total.min(axis=0) + here[i + 1]
+    state = np.empty(n, int)
+    state[-1:] = cost.argmin()
+    for i in range(n - 2, -1, -1):
+        state[i] = came[i, state[i + 1]]
+    return elbow[state], turn[state]
+
+
+def _failure(
+    task: np.ndarray,
+    q: np.ndarray,
+    holds: tuple[np.ndarray, np.ndarray, np.ndarray],
+    geometry: arm.Geometry,
+    limits: np.ndarray,
+) -> PathError | None:
+    """The first failure of joint angles q, (n, 5); it ``holds`` that they are reached, allowed, continuous."""
+    for sample in map(int, np.flatnonzero(~np.all(holds, axis=0))):
+        reached, allowed, _ = (x[sample] for x in holds)
+        if not reached:
+            cause: LynxError = OutOfReachError(*map(float, reach(wrist()(task[sample], geometry), geometry)))
+        elif not allowed:
+            joint = int(_excess(q[sample], limits).argmax())
+            cause = JointLimitError(joint + 1, float(q[sample, joint]), *map(float, limits[joint]))
+        else:
+            step = np.abs(q[sample] - q[sample - 1])
+            cause = JumpError(sample, int(step.argmax()) + 1, float(step.max()), LARGEST_STEP)
+        return PathError(sample, len(task), cause)
+    return None

@@ -61,3 +61,13 @@ def test_a_table_shows_numbers_to_four_digits_without_negative_zeros(shown):
     table, caption = shown
     assert table.data == "| what | value |\n| :-- | :-- |\n| angles | 1.2346, 0.0000 |\n| length | 0.1000 |"
     assert caption.data == "**Fig. 9.**"
+
+
+@pytest.mark.parametrize(
+    ("name", "written"), [("1.3", True), ("1.3b", True), ("1.3a", False), ("1", False), ("1.33", False)]
+)
+def test_the_number_alone_means_all_panels(name, written, fig, shown, monkeypatch, tmp_path):
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    monkeypatch.setenv("LYNX_FIGURE", name)
+    figures.publish(fig, "1.3b")
+    assert bool([*tmp_path.iterdir()]) == written

@@ -20,6 +20,7 @@ import nbformat
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
 import lynx_common
+from lynx_common.course.figures import is_called
 from lynx_common.course.kernel import code_cells, execute
 
 ROOT = Path(lynx_common.__file__).parents[1]
@@ -90,7 +91,8 @@ def needed_for(name: str, catalogue: dict[Path, list[str]]) -> tuple[list[Path],
         return list(catalogue), {}
     if named := [path for path in catalogue if name in (path.stem, short_name(path))]:
         return named, {}
-    return [path for path, numbers in catalogue.items() if name in numbers], {"LYNX_FIGURE": name}
+    found = [path for path, numbers in catalogue.items() if any(is_called(number, name) for number in numbers)]
+    return found, {"LYNX_FIGURE": name}
 
 
 def short_name(path: Path) -> str:
@@ -117,8 +119,8 @@ def make_figures(name: str) -> int:
     return int(failed or not written)
 
 
-def natural(number: str) -> list[int]:
-    return [int(digits) for digits in re.findall(r"\d+", number)]
+def natural(number: str) -> tuple[list[int], str]:
+    return [int(digits) for digits in re.findall(r"\d+", number)], number
 
 
 def times_written() -> dict[Path, int]:

@@ -17,12 +17,17 @@ def publish(fig: Figure, number: str, caption: str = "") -> None:
     fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared.
     """
     folder = os.environ.get("LYNX_FIGURES")
-    if folder and os.environ.get("LYNX_FIGURE", number) == number:
+    if folder and is_called(number, os.environ.get("LYNX_FIGURE", number)):
         stem = Path(folder) / f"fig-{number}"
-        fig.savefig(f"{stem}.pdf", metadata={"CreationDate": None})
-        fig.savefig(f"{stem}.svg", metadata={"Date": None})
+        fig.savefig(f"{stem}.pdf", dpi=300, metadata={"CreationDate": None})
+        fig.savefig(f"{stem}.svg", dpi=300, metadata={"Date": None})
         fig.savefig(f"{stem}.png", dpi=300)
     show(fig, f"**Fig. {number}.** {caption}".rstrip())
+
+
+def is_called(number: str, name: str) -> bool:
+    """Whether figure ``number`` is meant by ``name``; 1.3 means all of 1.3a to 1.3d."""
+    return name in (number, number.rstrip("abcdefgh"))
 
 
 def show(fig: Figure, caption: str) -> None:

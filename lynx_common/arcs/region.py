@@ -1,20 +1,12 @@
-"""Plane regions bounded by circular arcs: membership, exact area and perimeter, volume of revolution, boundary.
-
-Such a region is given by circles that hold its whole boundary, and by a test of membership. The circles cut each
-other into pieces; a piece is boundary if one side of it is inside and the other is not. All that is measured
-follows from these pieces in closed form, by Green's theorem.
-"""
+"""Plane regions whose boundary lies on circles."""
 
 from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
 
-from .errors import InputError
-
-# Shares of the largest circle's radius: what counts as one point, and how far beside a piece it is asked
-# which side is inside. A part of a region that is thinner than that is not seen.
-SAME, BESIDE = 1e-10, 1e-7
+from ..errors import InputError
+from .circles import BESIDE, arcs_of, cuts_of, distinct, on
 
 
 class Region:
@@ -40,8 +32,7 @@ class Region:
 
     def mirror(self) -> "Region":
         """The region seen in a mirror along the second axis: x becomes -x."""
-        flip = np.array([-1, 1])
-        return Region(self.circles * [-1, 1, 1], lambda points: self.contains(np.asarray(points) * flip))
+        return Region(self.circles * [-1, 1, 1], lambda points: self.contains(points * np.array([-1, 1])))
 
     def around(self, radius: float) -> "Region":
         """All points at exactly the distance ``radius`` from some point of this region, which is one piece.
@@ -50,8 +41,11 @@ class Region:
         """
         x, y, rho, _, _ = self.arcs.T
         corners = self.ends[abs(self.arcs[:, 4]) < 2 * np.pi].reshape(-1, 2)
-        circles = [np.c_[x, y, rho + radius], np.c_[x, y, abs(rho - radius)]]
-        circles += [np.c_[corners, np.full(len(corners), radius)]]
+        circles = [
+            np.insert(corners, 2, radius, axis=1),
+            np.c_[x, y, rho + radius],
+            np.c_[x, y, abs(rho - radius)],
+        ]
 
         def contains(points: np.ndarray) -> np.ndarray:
             nearest, farthest = self.distances(points)
@@ -62,13 +56,24 @@ class Region:
     @cached_property
     def arcs(self) -> np.ndarray:
         """The boundary: (n, 5), rows x, y, radius, start, sweep (radians), with the inside on the left."""
-        circles = _distinct(self.circles)
-        return np.array([arc for i in range(len(circles)) for arc in self._arcs_of(circles, i)]).reshape(-1, 5)
+        circles = distinct(self.circles)
+        if not len(circles):
+            return np.empty((0, 5))
+        cuts = [cuts_of(circles, i) for i in range(len(circles))]
+        pieces = [len(c) for c in cuts]
+        x, y, rho = np.repeat(circles, pieces, axis=0).T
+        middle = np.concatenate([c + np.diff(c, append=c[0] + 2 * np.pi) / 2 for c in cuts])
+        radii = rho + BESIDE * rho.max() * np.array([[-1], [1]])
+        beside = np.stack([x + radii * np.cos(middle), y + radii * np.sin(middle)], axis=-1)
+        inner, outer = np.asarray(self.contains(beside), int)
+        turns = np.split(inner - outer, np.cumsum(pieces)[:-1])  # +1: the inside is within the circle
+        arcs = [arc for one in zip(circles, cuts, turns, strict=True) for arc in arcs_of(*one)]
+        return np.reshape(arcs, (-1, 5))
 
     @property
     def ends(self) -> np.ndarray:
         """First and last point of each arc, (n, 2, 2)."""
-        return _on(self.arcs, self.arcs[:, 3:4] + self.arcs[:, 4:] * [0, 1])
+        return on(self.arcs, self.arcs[:, 3:4] + self.arcs[:, 4:] * [0, 1])
 
     @property
     def area(self) -> float:
@@ -115,25 +120,9 @@ class Region:
                 line.append(arcs.pop(gaps.argmin()))
                 place = ends.pop(gaps.argmin())[1]
             steps = [np.linspace(0, 1, 2 + int(abs(arc[4]) / step)) for arc in line]
-            points = [_on(a, a[3] + a[4] * share) for a, share in zip(line, steps, strict=True)]
+            points = [on(a, a[3] + a[4] * share) for a, share in zip(line, steps, strict=True)]
             loops.append(np.vstack([*points, first]))
         return loops
-
-    def _arcs_of(self, circles: np.ndarray, i: int) -> list[tuple]:
-        """The arcs of the boundary that lie on circle ``i``."""
-        x, y, rho = circles[i]
-        cuts = _cuts(circles, i)
-        middle = (cuts + np.append(cuts[1:], cuts[0] + 2 * np.pi)) / 2
-        radii = rho + BESIDE * circles[:, 2].max() * np.array([[-1], [1]])
-        beside = np.stack([x + radii * np.cos(middle), y + radii * np.sin(middle)], axis=-1)
-        inner, outer = np.asarray(self.contains(beside), int)
-        turn = inner - outer  # +1: the inside is within the circle; 0: no boundary
-        begins = turn != np.roll(turn, 1)
-        begins[0] |= not begins.any()
-        start, turn = cuts[begins], turn[begins]
-        sweep = np.append(start[1:], start[0] + 2 * np.pi) - start
-        start = np.where(turn > 0, start, start + sweep)
-        return [(x, y, rho, *row) for row in zip(start, turn * sweep, strict=True) if row[1]]
 
     def _measured(self) -> tuple[np.ndarray, ...]:
         """x, y, radius as columns, and both end angles, (n, 2), of the arcs, cut where they cross x = 0."""
@@ -168,32 +157,3 @@ def annulus(x: float, y: float, inner: float, outer: float) -> Region:
 def _joined(a: Region, b: Region, both: Callable) -> Region:
     circles = np.vstack([a.circles, b.circles])
     return Region(circles, lambda points: both(a.contains(points), b.contains(points)))
-
-
-def _distinct(circles: np.ndarray) -> np.ndarray:
-    """Circles of some size, each once."""
-    scale = circles[:, 2].max(initial=0)
-    circles = circles[circles[:, 2] > SAME * scale]
-    alike = np.abs(circles[:, None] - circles).max(axis=-1) <= SAME * scale
-    return circles[~np.tril(alike, -1).any(axis=1)]
-
-
-def _cuts(circles: np.ndarray, i: int) -> np.ndarray:
-    """Angles, ascending and at least one, at which the other circles meet circle ``i``."""
-    x, y, rho = circles[i]
-    dx, dy = circles[:, 0] - x, circles[:, 1] - y
-    d = np.hypot(dx, dy)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        cosine = (d**2 + rho**2 - circles[:, 2] ** 2) / (2 * d * rho)
-    meets = abs(cosine) <= 1 + SAME
-    cosine = np.where(abs(cosine) >= 1 - SAME, np.sign(cosine), cosine)[meets]  # circles that touch meet once
-    towards, half = np.arctan2(dy, dx)[meets], np.arccos(cosine)
-    cuts = np.sort(np.mod([towards - half, towards + half], 2 * np.pi), axis=None)
-    cuts = cuts[np.diff(cuts, prepend=-1) > SAME]
-    return cuts if len(cuts) else np.zeros(1)
-
-
-def _on(arcs: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Points of arcs (..., 5) at angles (..., m): (..., m, 2)."""
-    direction = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    return arcs[..., None, :2] + arcs[..., None, 2:3] * direction

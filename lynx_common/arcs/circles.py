@@ -1,0 +1,46 @@
+"""How circles cut each other into pieces, and which pieces are boundary."""
+
+import numpy as np
+
+# Shares of the largest circle's radius: what counts as one point, and how far beside a piece it is asked
+# which side is inside. A part of a region that is thinner than that is not seen.
+SAME, BESIDE = 1e-10, 1e-7
+
+
+def distinct(circles: np.ndarray) -> np.ndarray:
+    """Circles of some size, each once."""
+    scale = circles[:, 2].max(initial=0)
+    circles = circles[circles[:, 2] > SAME * scale]
+    alike = np.abs(circles[:, None] - circles).max(axis=-1) <= SAME * scale
+    return circles[~np.tril(alike, -1).any(axis=1)]
+
+
+def cuts_of(circles: np.ndarray, i: int) -> np.ndarray:
+    """Angles, ascending and at least one, at which the other circles meet circle ``i``."""
+    x, y, rho = circles[i]
+    dx, dy = circles[:, 0] - x, circles[:, 1] - y
+    d = np.hypot(dx, dy)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        cosine = (d**2 + rho**2 - circles[:, 2] ** 2) / (2 * d * rho)
+    meets = abs(cosine) <= 1 + SAME
+    cosine = np.where(abs(cosine) >= 1 - SAME, np.sign(cosine), cosine)[meets]  # circles that touch meet once
+    towards, half = np.arctan2(dy, dx)[meets], np.arccos(cosine)
+    cuts = np.sort(np.mod([towards - half, towards + half], 2 * np.pi), axis=None)
+    cuts = cuts[np.diff(cuts, prepend=-1) > SAME]
+    return cuts if len(cuts) else np.zeros(1)
+
+
+def arcs_of(circle: np.ndarray, cuts: np.ndarray, turn: np.ndarray) -> list[tuple]:
+    """The boundary's arcs on one circle; ``turn`` is 1 or -1 where a piece of it is boundary, and 0 elsewhere."""
+    begins = turn != np.roll(turn, 1)
+    begins[0] |= not begins.any()
+    start, turn = cuts[begins], turn[begins]
+    sweep = np.diff(start, append=start[:1] + 2 * np.pi)
+    start = np.where(turn > 0, start, start + sweep)
+    return [(*circle, *row) for row in zip(start, turn * sweep, strict=True) if row[1]]
+
+
+def on(arcs: np.ndarray, angles: np.ndarray) -> np.ndarray:
+    """Points of arcs (..., 5) at angles (..., m): (..., m, 2)."""
+    direction = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    return arcs[..., None, :2] + arcs[..., None, 2:3] * direction

@@ -41,7 +41,7 @@ RIGHT = {
         [-np.arccos(0.125), np.arccos(0.125)],
         sp.Matrix([-sp.acos(sp.Rational(1, 8)), sp.acos(sp.Rational(1, 8))]),
     ],
-    "B1.2": [-pi / 2, pi / 2, sp.pi / 2, [3 * pi / 2]],
+    "B1.2": [b1.ROLL, b1.ROLL + pi, sp.atan2(1, 2.5) - 2 * sp.pi / 3, [-1.7139]],
     "B1.3": [8.36, 8.364, [np.sqrt(8.6**2 - 4)]],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
@@ -123,10 +123,13 @@ WRONG = {
     ],
     "B1.2": [
         (..., "not attempted"),
-        (-90, "right in degrees"),
-        (0, "along the belt"),
-        (-3 * pi / 4, "leaves out theta_1"),
-        (1.0, "33 deg off"),
+        (-98.2, "right in degrees"),
+        (b1.AZIMUTH - np.deg2rad(30), "along the belt"),
+        (-b1.ACROSS, "leaves out theta_1"),
+        (b1.ACROSS, "leaves out theta_1"),
+        (b1.AZIMUTH, "theta_1 alone"),
+        (-b1.ROLL, "the sign"),
+        (b1.ROLL + 0.5, "29 deg off"),
     ],
     "B1.3": [
         (..., "not attempted"),

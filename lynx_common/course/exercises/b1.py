@@ -18,8 +18,9 @@ WIDEST = np.arccos((FAR**2 + L_3**2 - (L_1 + L_2) ** 2) / (2 * FAR * L_3))
 PITCHES = np.array([-WIDEST, WIDEST])
 AT_THE_ELBOW = np.arccos((FAR**2 + (L_1 + L_2) ** 2 - L_3**2) / (2 * FAR * (L_1 + L_2)))
 
-# B1.2: belt C runs at 45 deg through an item whose azimuth is 45 deg.
-ROLL = np.pi / 4 - 3 * np.pi / 4
+# B1.2: belt C runs at 30 deg from x through an item at (0.25, 0.1).
+AZIMUTH, ACROSS = np.arctan2(0.1, 0.25), np.deg2rad(30 + 90)
+ROLL = AZIMUTH - ACROSS
 
 
 def _same_grip(x: float) -> float:
@@ -73,14 +74,22 @@ EXERCISES = {
         read=numbers(()),
         right=lambda x: _same_grip(x) <= 10 * TOLERANCE,
         misconceptions=(
-            (lambda x: _same_grip(np.deg2rad(x)) <= 10 * TOLERANCE, "right in degrees; radians are expected."),
+            (lambda x: _same_grip(np.deg2rad(x)) <= 0.01, "right in degrees; radians are expected."),
             (
                 lambda x: _same_grip(x + np.pi / 2) <= 10 * TOLERANCE,
                 "this opens the fingers along the belt; they are to stand across it, so that it can run on.",
             ),
             (
-                lambda x: _same_grip(x + np.pi / 4) <= 10 * TOLERANCE,
+                lambda x: _same_grip(x + AZIMUTH) <= 10 * TOLERANCE or _same_grip(-x + AZIMUTH) <= 10 * TOLERANCE,
                 "this leaves out theta_1: the gripper turns with the base.",
+            ),
+            (
+                lambda x: _same_grip(x - ACROSS) <= 10 * TOLERANCE,
+                "this is theta_1 alone; the fingers would open along x.",
+            ),
+            (
+                lambda x: _same_grip(-x) <= 10 * TOLERANCE,
+                "the sign: with the gripper down, the roll turns the other way round than the base.",
             ),
         ),
         describe=lambda x: f"the fingers are {np.rad2deg(_same_grip(x)):.0f} deg off.",
@@ -88,9 +97,9 @@ EXERCISES = {
             "Which direction is across the belt, as an angle from x?",
             "theta_5 = theta_1 - beta. What is the azimuth of the item?",
         ),
-        explanation="Across the belt is 135° from $x$ (or -45°, the same line). The item's azimuth is 45°. So "
-        "$\\theta_5 = 45° - 135° = -90°$, or 90°: half a turn only swaps the fingers.",
-        code="answer_2 = np.pi / 4 - 3 * np.pi / 4",
+        explanation="Across the belt is 30° + 90° = 120° from $x$. The item's azimuth is 21.8°. So $\\theta_5$ is "
+        "21.8° - 120° = -98.2°, or half a turn from it, which only swaps the fingers.",
+        code="answer_2 = np.arctan2(0.1, 0.25) - np.deg2rad(120)",
     ),
     "B1.3": Exercise(
         read=numbers(()),
@@ -108,7 +117,10 @@ EXERCISES = {
                 lambda x: abs(x - _along_the_ground(BOOM + STICK, DEPTH - BUCKET)) <= 0.006,
                 "this counts the depth from the boom's joint, which is 1.5 m above the ground.",
             ),
-            (lambda x: abs(x - BOOM - STICK) <= 0.006, "that far it reaches only at the height of its joint."),
+            (
+                lambda x: abs(x - BOOM - STICK) <= 0.006,
+                "the end of the stick gets that far only at the height of the joint.",
+            ),
         ),
         describe=lambda x: f"this is {abs(x - REACH):.2f} m {'too much' if x > REACH else 'too little'}.",
         hints=(

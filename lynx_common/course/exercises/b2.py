@@ -37,7 +37,10 @@ EXERCISES = {
         misconceptions=(
             (lambda x: _near(x, WRIST), "this is the wrist, one link farther."),
             (lambda x: _near(x, GRIPPER), "this is the gripper; the elbow is the end of the upper arm."),
-            (lambda x: _near(x, ELBOW[[1, 0, 2]]), "this leaves out theta_1: the arm's plane is turned by 90 deg."),
+            (
+                lambda x: _near(x, ELBOW[[1, 0, 2]]),
+                "this leaves out theta_1: the arm's plane is turned by 90 deg.",
+            ),
             (lambda x: _near(x, ELBOW - [0, 0, d_1]), "this is counted from the shoulder; d_1 is missing."),
             (
                 lambda x: _near(x, [0, ELBOW[2] - d_1, d_1 + ELBOW[1]]),
@@ -54,8 +57,8 @@ EXERCISES = {
             "Of (1.25) to (1.38), which three belong to the elbow? Which of the five angles do they hold?",
             "Out from the axis it is L_1 cos(theta_2); theta_1 turns that from x to y.",
         ),
-        explanation="Only $\\theta_1$ and $\\theta_2$ matter. The elbow is $L_1\\cos 60° = 0.1$ m out from the axis, "
-        "along $y$, and $d_1 + L_1\\sin 60° = 0.2732$ m high.",
+        explanation="Only $\\theta_1$ and $\\theta_2$ matter. The elbow is $L_1\\cos 60° = 0.1$ m out from the "
+        "axis, along $y$, and $d_1 + L_1\\sin 60° = 0.2732$ m high.",
         code="L = arm.LYNX\n"
         "answer_1 = [0, L.L_1 * np.cos(np.deg2rad(60)), L.d_1 + L.L_1 * np.sin(np.deg2rad(60))]",
     ),
@@ -81,8 +84,8 @@ EXERCISES = {
             "u^p has a finite second derivative at u = 0 if p is at least 2; and for which smaller p?",
         ),
         explanation="$\\theta_3 \\sim u^{n/2}$. The second derivative goes as $\\frac{n}{2}(\\frac{n}{2} - 1)\\, "
-        "u^{n/2 - 2}$: it is bounded for $n \\ge 4$, and for $n = 2$, where the factor in front is zero and the elbow "
-        "passes at a steady speed. For $n = 1$ even the speed is not bounded, for $n = 3$ only the speed is.",
+        "u^{n/2 - 2}$: it is bounded for $n \\ge 4$, and for $n = 2$, where the factor in front is zero and the "
+        "elbow passes at a steady speed. For $n = 1$ even the speed is not bounded, for $n = 3$ only the speed is.",
         code="answer_2 = [0, 1, 0, 1, 1, 1]",
     ),
     "B2.3": Exercise(
@@ -112,8 +115,8 @@ EXERCISES = {
             "The direction stays 0 all the way. At the end the distance is -0.3 m: which theta_2, beyond 180 deg?",
         ),
         explanation="The tool is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction $\\theta_1 + "
-        "\\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ runs on through "
-        "180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from -53.1° to -126.9°.",
+        "\\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ runs on "
+        "through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from -53.1° to -126.9°.",
         code="half = np.arccos(-0.3 / (2 * 0.25))\nanswer_3 = [-half, 2 * half]",
     ),
 }

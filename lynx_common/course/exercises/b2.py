@@ -85,7 +85,7 @@ EXERCISES = {
         ),
         explanation="$\\theta_3 \\sim u^{n/2}$. The second derivative goes as $\\frac{n}{2}(\\frac{n}{2} - 1)\\, "
         "u^{n/2 - 2}$: it is bounded for $n \\ge 4$, and for $n = 2$, where the factor in front is zero and the "
-        "elbow passes at a steady speed. For $n = 1$ even the speed is not bounded, for $n = 3$ only the speed is.",
+        "elbow passes at a steady speed. For $n = 1$ neither has a bound, for $n = 3$ only the speed has one.",
         code="answer_2 = [0, 1, 0, 1, 1, 1]",
     ),
     "B2.3": Exercise(

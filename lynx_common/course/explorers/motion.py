@@ -36,7 +36,8 @@ def motion_explorer(q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> widgets
 def _motion_view(q: np.ndarray, geometry: arm.Geometry) -> Callable[[int], bytes]:
     fig, space, plot = drawing.two_views(8, 4)
     places = arm.joint_positions(q, geometry)
-    drawing.space_3d(space, places)
+    around = 0.2 * sum(geometry) * np.array([[-1, -1, 0], [1, 1, 0]])  # room, where a motion stays in one plane
+    drawing.space_3d(space, np.vstack([places.reshape(-1, 3), around]))
     space.plot(*places[:, -1].T, color=drawing.COLOURS["aid"], linewidth=1)
     for joint, angles in enumerate(np.rad2deg(q).T, start=1):
         plot.plot(angles, label=f"$\\theta_{joint}$")

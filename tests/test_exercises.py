@@ -6,7 +6,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1
+from lynx_common.course.exercises import a2, b1, b2
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -43,6 +43,17 @@ RIGHT = {
     ],
     "B1.2": [b1.ROLL, b1.ROLL + pi, sp.atan2(1, 2.5) - 2 * sp.pi / 3, [-1.7139]],
     "B1.3": [8.36, 8.364, [np.sqrt(8.6**2 - 4)]],
+    "B2.1": [
+        [0, 0.1, 0.27321],
+        sp.Matrix([0, sp.Rational(1, 10), sp.Rational(1, 10) + sp.sqrt(3) / 10]),
+        arm.joint_positions(b2.POSTURE)[2],
+    ],
+    "B2.2": [[0, 1, 0, 1, 1, 1], [False, True, False, True, True, True], np.eye(6)[[1, 3, 4, 5]].sum(axis=0)],
+    "B2.3": [
+        [-2.2143, 4.4286],
+        sp.Matrix([-sp.acos(sp.Rational(-3, 5)), 2 * sp.acos(sp.Rational(-3, 5))]),
+        np.deg2rad([-126.8699, 253.7398]),
+    ],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -138,6 +149,38 @@ WRONG = {
         (np.sqrt(8.6**2 - 0.5**2), "counts the depth from the boom's joint"),
         (8.6, "only at the height"),
         (9, "0.64 m too much"),
+    ],
+    "B2.1": [
+        (..., "not attempted"),
+        (arm.joint_positions(b2.POSTURE)[3], "this is the wrist"),
+        (arm.joint_positions(b2.POSTURE)[4], "this is the gripper"),
+        ([0.1, 0, 0.2732], "leaves out theta_1"),
+        ([0, 0.1, 0.1732], "d_1 is missing"),
+        ([0, 0.1732, 0.2], "sine and cosine are swapped"),
+        ([0, 100, 273.2], "right in millimetres"),
+        (arm.joint_positions(np.array([90.0, 60, 0, 0, 0]))[2], "cos and sin take radians"),
+        ([0, 0.1, 0.2], "0.073 m from the elbow"),
+        ([0.1, 0.2], "shape (2,), where (3,) is expected"),
+    ],
+    "B2.2": [
+        (..., "not attempted"),
+        ([0, 1, 1, 1, 1, 1], "look at the acceleration for n = 3"),
+        ([0, 0, 0, 1, 1, 1], "Look at n = 2"),
+        ([1] * 6, "square root"),
+        ([1, 0, 1, 0, 0, 0], "swapped"),
+        ([2, 4, 5, 6, 0, 0], "each 1 (yes) or 0 (no)"),
+        ([2, 4, 5, 6], "shape (4,), where (6,) is expected"),
+        ([0, 1, 0, 0, 1, 0], "look again at n = 4, 6"),
+    ],
+    "B2.3": [
+        (..., "not attempted"),
+        ([-126.87, 253.74], "right in degrees"),
+        ([2.2143, 1.8546], "jumped by half a turn"),
+        ([-2.2143, 4.4286 - 2 * pi], "an angle is wrapped"),
+        ([-0.9273, 1.8546], "where it starts"),
+        ([4.4286, -2.2143], "theta_1 comes first"),
+        ([0.9273, -1.8546], "the other elbow"),
+        ([0, 0], "this puts the tool at (0.500, 0.000) m"),
     ],
     "A3.1": [
         (..., "not attempted"),

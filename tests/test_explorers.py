@@ -9,6 +9,7 @@ from PIL import Image
 
 from lynx_common import arm, workspace
 from lynx_common.course import explorers
+from lynx_common.errors import InputError
 
 
 @pytest.fixture
@@ -153,3 +154,37 @@ def test_other_arms_can_be_explored():
     geometry = arm.Geometry(1, 2, 1, 0.5)
     assert "front, up" in parts(explorers.reach_explorer(geometry))[1].value
     assert volumes(parts(explorers.limits_explorer(geometry))[1])[0] > 1000
+
+
+@pytest.fixture
+def over_there() -> np.ndarray:
+    """Joint angles of a motion of 21 samples."""
+    start, end = np.deg2rad([[0, 60, -30, 60, 0], [90, 100, -60, 90, 45]])
+    return start + np.linspace(0, 1, 21)[:, None] * (end - start)
+
+
+def test_motion_follows_slider_and_play(over_there):
+    panel, image = explorers.motion_explorer(over_there).children
+    play, slider, words = panel.children
+    pictures = [image.value]
+    for control, value in ((slider, 10), (play, 20)):
+        control.value = value
+        assert slider.value == play.value == value
+        x, y, z = np.round(arm.forward_kinematics(over_there[value])[:3, 3], 3) + 0.0
+        assert f"({x:.3f}, {y:.3f}, {z:.3f}) m" in words.value
+        assert f"θ₁ {np.rad2deg(over_there[value, 0]):7.1f}°" in words.value
+        pictures.append(image.value)
+    assert len(set(pictures)) == 3
+    play.value = 0
+    assert image.value == pictures[0]
+
+
+def test_motion_ends_with_its_last_sample(over_there):
+    play, slider, _ = explorers.motion_explorer(over_there).children[0].children
+    assert play.max == slider.max == 20
+
+
+@pytest.mark.parametrize("spoil", [lambda q: q[0], lambda q: q[:, :4], lambda q: q * np.nan, lambda q: q[:0]])
+def test_motion_needs_finite_joint_angles(over_there, spoil):
+    with pytest.raises(InputError, match="finite joint angles"):
+        explorers.motion_explorer(spoil(over_there))

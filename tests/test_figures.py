@@ -47,6 +47,26 @@ def test_files_are_written_where_make_figures_asks_and_are_the_same_each_time(fi
     assert first == {path.name: path.read_bytes() for path in tmp_path.iterdir()}
 
 
+def test_a_movie_is_written_where_asked_for_and_is_the_same_each_time(fig, monkeypatch, tmp_path):
+    def draw(i):
+        drawn.append(i)
+        fig.axes[0].lines[0].set_ydata([0, i])
+
+    drawn = []
+    monkeypatch.delenv("LYNX_FIGURES", raising=False)
+    figures.movie(fig, draw, 3, "1.2")
+    assert drawn == []
+    assert not plt.get_fignums()
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    figures.movie(fig, draw, 3, "1.2", seconds=0.6)
+    assert drawn == [0, 1, 2]
+    first = (tmp_path / "fig-1.2.gif").read_bytes()
+    with Image.open(tmp_path / "fig-1.2.gif") as film:
+        assert (film.n_frames, film.size, film.info["duration"]) == (3, (200, 100), 200)
+    figures.movie(fig, draw, 3, "1.2", seconds=0.6)
+    assert (tmp_path / "fig-1.2.gif").read_bytes() == first
+
+
 def test_only_the_figure_asked_for_is_written(fig, shown, monkeypatch, tmp_path):
     monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
     monkeypatch.setenv("LYNX_FIGURE", "1.1")

@@ -1,13 +1,16 @@
 """Showing a figure in a notebook, with its caption in words, and saving the report's figures as files."""
 
 import os
+from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Image, Markdown, display
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from PIL import Image as Picture
 
 
 def publish(fig: Figure, number: str, caption: str = "") -> None:
@@ -16,9 +19,7 @@ def publish(fig: Figure, number: str, caption: str = "") -> None:
     ``make figures`` names the folder in LYNX_FIGURES and may name one figure in LYNX_FIGURE. The files are
     fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared.
     """
-    folder = os.environ.get("LYNX_FIGURES")
-    if folder and is_called(number, os.environ.get("LYNX_FIGURE", number)):
-        stem = Path(folder) / f"fig-{number}"
+    if stem := _stem(number):
         fig.savefig(f"{stem}.pdf", dpi=300, metadata={"CreationDate": None})
         fig.savefig(f"{stem}.svg", dpi=300, metadata={"Date": None})
         fig.savefig(f"{stem}.png", dpi=300)
@@ -28,6 +29,29 @@ def publish(fig: Figure, number: str, caption: str = "") -> None:
 def is_called(number: str, name: str) -> bool:
     """Whether figure ``number`` is meant by ``name``; 1.3 means all of 1.3a to 1.3d."""
     return name in (number, number.rstrip("abcdefgh"))
+
+
+def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, seconds: float = 6) -> None:
+    """Save ``fig`` in motion as fig-1.8.gif, where ``make figures`` asks for figure ``number``, and close it.
+
+    ``draw(i)`` brings the figure to frame i. Nothing is shown, and elsewhere nothing is drawn.
+    """
+    if stem := _stem(number):
+        canvas, pictures = FigureCanvasAgg(fig), []
+        for i in range(frames):
+            draw(i)
+            canvas.draw()
+            pictures.append(Picture.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB").quantize(32))
+        pause = round(1000 * seconds / frames)
+        pictures[0].save(f"{stem}.gif", save_all=True, append_images=pictures[1:], duration=pause, loop=0)
+    plt.close(fig)
+
+
+def _stem(number: str) -> Path | None:
+    """Where files of figure ``number`` belong, without a suffix; None where they are not asked for."""
+    folder = os.environ.get("LYNX_FIGURES")
+    wanted = folder and is_called(number, os.environ.get("LYNX_FIGURE", number))
+    return Path(folder) / f"fig-{number}" if wanted else None
 
 
 def show(fig: Figure, caption: str) -> None:

@@ -1,0 +1,51 @@
+"""A moving picture of the arm that plays in the notebook's page, without a kernel and without a network."""
+
+import html
+import json
+from pathlib import Path
+
+import numpy as np
+from IPython.display import HTML
+
+from ..errors import InputError
+
+PAGE = Path(__file__).with_name("player.html").read_text(encoding="utf-8")
+DIGITS = 4  # decimals of a metre: a tenth of a millimetre
+
+
+def player(
+    points: np.ndarray, still: list[np.ndarray] | None = None, moving: np.ndarray | None = None, seconds: float = 6
+) -> HTML:
+    """A player with a play button, a slider for the time, and a view that is turned by dragging.
+
+    The same input gives the same page, to the letter.
+
+    Parameters
+    ----------
+    points : array, shape (n, k, 3)
+        What to connect in each of n frames, in metres: ``arm.joint_positions(q)``. The last one leaves a trace.
+    still : arrays, shape (m, 3)
+        Lines that do not move: belts, a planned path.
+    moving : array, shape (n, j, 3)
+        Items that are drawn as squares.
+
+    Raises InputError where a number is not finite or the shapes do not match.
+    """
+    points = _finite(points)
+    moving = _finite(np.empty((len(points), 0, 3)) if moving is None else moving)
+    if points.ndim != 3 or len(moving) != len(points) or not len(points):
+        raise InputError(f"Frames (n, k, 3) are expected; {points.shape} and {moving.shape} were given.")
+    data = {"arm": points, "items": moving, "lines": list(map(_finite, still or []))}
+    numbers = json.dumps(data | {"seconds": seconds}, default=np.ndarray.tolist, separators=(",", ":"))
+    page = html.escape(PAGE.replace("DATA", numbers))
+    return HTML(
+        f'<div><iframe srcdoc="{page}" title="The arm in motion; drag to turn the view" '
+        'style="width:100%;max-width:680px;height:470px;border:0"></iframe></div>'
+    )
+
+
+def _finite(values: np.ndarray) -> np.ndarray:
+    values = np.asarray(values, dtype=float)
+    if values.shape[-1:] != (3,) or not np.isfinite(values).all():
+        raise InputError("A player needs finite positions, three coordinates each.")
+    return np.round(values, DIGITS) + 0.0

@@ -5,7 +5,8 @@ as PNG bytes; that is several times faster than drawing anew, and a notebook tha
 """
 
 from .arm import arm_explorer
+from .detour import detour_explorer
 from .limits import limits_explorer
 from .reach import reach_explorer
 
-__all__ = ["arm_explorer", "limits_explorer", "reach_explorer"]
+__all__ = ["arm_explorer", "detour_explorer", "limits_explorer", "reach_explorer"]

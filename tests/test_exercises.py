@@ -6,7 +6,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1
+from lynx_common.course.exercises import a2, b1, b3
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -43,6 +43,9 @@ RIGHT = {
     ],
     "B1.2": [-pi / 2, pi / 2, sp.pi / 2, [3 * pi / 2]],
     "B1.3": [8.36, 8.364, [np.sqrt(8.6**2 - 4)]],
+    "B3.1": [0.2162, [b3.CLEARANCE], sp.sqrt(10) / 10 - sp.Rational(1, 10)],
+    "B3.2": [0.1852, b3.KEEP, sp.sqrt(2) / 20 * (1 + sp.sqrt(1 + 16 / sp.pi**2))],
+    "B3.3": [2.06, [2.064], b3.SHORTEST],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -135,6 +138,32 @@ WRONG = {
         (np.sqrt(8.6**2 - 0.5**2), "counts the depth from the boom's joint"),
         (8.6, "only at the height"),
         (9, "0.64 m too much"),
+    ],
+    "B3.1": [
+        (..., "not attempted"),
+        (0.3162, "the obstacle has a radius"),
+        (b3.TO_LINE - 0.1, "to the infinite line, which runs on beyond the end."),
+        (b3.TO_LINE, "beyond the end, and from the centre"),
+        (np.sqrt(0.29) - 0.1, "measured to the start"),
+        (216.2, "in millimetres"),
+        (0.25, "0.0338 m too much"),
+    ],
+    "B3.2": [
+        (..., "not attempted"),
+        (b3.KEEP - 0.15, "the largest margin"),
+        (b3.KEEP - 0.1 * np.sqrt(2), "the largest height"),
+        (0.1932, "for the spline"),
+        (0.2, "the ends are at the margin"),
+        (0.18, "0.0052 m too little"),
+    ],
+    "B3.3": [
+        (..., "not attempted"),
+        (b3._around(0.28), "it has a radius"),
+        (b3._around(0.42), "leaves out the margin"),
+        (b3._around(0.25), "leaves out the robot's radius and the margin"),
+        (b3._around(0.45, 2 * pi - b3.SEEN), "the far side"),
+        (2, "run into the pillar"),
+        (3, "0.94 m too much"),
     ],
     "A3.1": [
         (..., "not attempted"),

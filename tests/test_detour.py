@@ -144,3 +144,10 @@ def test_another_arm_has_its_own_reach():
     short = arm.Geometry(0.1, 0.1, 0.1, 0.05)
     with pytest.raises(EndpointError, match="start"):
         motion.detour(C, D, CENTRE, RADIUS, geometry=short)
+
+
+def test_at_a_tie_it_turns_from_r_towards_z():
+    """The centre is on the line, give or take rounding."""
+    for off in (-1e-15, 0, 1e-15):
+        path = motion.detour(C, D, (-0.1 + off, 0.5), 0.05)
+        np.testing.assert_allclose(path(S), motion.detour(C, D, (-0.1, 0.5), 0.05, turn=1)(S), atol=1e-9)

@@ -31,7 +31,7 @@ def detour(
     centre : (r, z) in metres
     radius, margin : metres, not negative
     turn : 0, 1 or -1
-        The way round the centre: the shorter, from the direction of r towards that of z, or the other one.
+        The side to pass: the shorter (1 at a tie); from the direction of r towards that of z; or the other.
 
     Returns
     -------
@@ -50,8 +50,11 @@ def detour(
     straight = line(start, end)
     if _nearest(start[1:3] - centre, end[1:3] - centre) >= keep - ROOM:
         return straight
-    ways = [_around(straight, centre, keep, way) for way in ([turn] if turn else [1, -1])]
-    return min(ways, key=lambda way: np.hypot(*way.derivative(0.0)[1:3]))
+    if turn:
+        return _around(straight, centre, keep, turn)
+    left, right = (_around(straight, centre, keep, way) for way in (1, -1))
+    longer = np.hypot(*left.derivative(0.0)[1:3]) - np.hypot(*right.derivative(0.0)[1:3])
+    return right if longer > ROOM else left
 
 
 def _around(straight: Path, centre: np.ndarray, radius: float, turn: int) -> Path:
@@ -94,6 +97,8 @@ def _ends(start: np.ndarray, end: np.ndarray, geometry: arm.Geometry) -> list[np
     if abs(ends[0][0] - ends[1][0]) > ROOM:
         given = " and ".join(f"{np.rad2deg(task[0]):.2f}" for task in ends)
         raise InputError(f"The way stays in one plane of the arm; the azimuths given are {given} deg.")
+    if np.array_equal(*ends):
+        raise InputError("The start and the end of the motion are the same: its length is zero.")
     return ends
 
 

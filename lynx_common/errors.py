@@ -93,3 +93,23 @@ class PathError(LynxError):
     def __init__(self, sample: int, count: int, cause: LynxError):
         self.sample, self.count, self.cause = sample, count, cause
         super().__init__(f"The path fails first at sample {sample} of 0 to {count - 1}: {cause}")
+
+
+class CollisionError(LynxError):
+    """A place that is in an obstacle (distance below 0) or nearer to it than the margin; metres."""
+
+    def __init__(self, distance: float, margin: float):
+        self.distance, self.margin = distance, margin
+        super().__init__(
+            f"It is {-distance:.4f} m deep in the obstacle."
+            if distance < 0
+            else f"It is {distance:.4f} m from the obstacle, where the margin asks for {margin:.4f} m."
+        )
+
+
+class EndpointError(LynxError):
+    """A start or an end (``which``) that a motion cannot have; ``cause`` is the error that says why."""
+
+    def __init__(self, which: str, cause: LynxError):
+        self.which, self.cause = which, cause
+        super().__init__(f"The {which} of the motion cannot be used. {cause}")

@@ -6,7 +6,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1, b2
+from lynx_common.course.exercises import a2, b1, b2, b3
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -54,6 +54,9 @@ RIGHT = {
         sp.Matrix([-sp.acos(sp.Rational(-3, 5)), 2 * sp.acos(sp.Rational(-3, 5))]),
         np.deg2rad([-126.8699, 253.7398]),
     ],
+    "B3.1": [0.2162, [b3.CLEARANCE], sp.sqrt(10) / 10 - sp.Rational(1, 10)],
+    "B3.2": [0.1852, b3.KEEP, sp.sqrt(2) / 20 * (1 + sp.sqrt(1 + 16 / sp.pi**2))],
+    "B3.3": [2.06, [2.064], b3.SHORTEST],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -181,6 +184,32 @@ WRONG = {
         ([4.4286, -2.2143], "theta_1 comes first"),
         ([0.9273, -1.8546], "the other elbow"),
         ([0, 0], "this puts the tool at (0.500, 0.000) m"),
+    ],
+    "B3.1": [
+        (..., "not attempted"),
+        (0.3162, "the obstacle has a radius"),
+        (b3.TO_LINE - 0.1, "to the infinite line, which runs on beyond the end."),
+        (b3.TO_LINE, "beyond the end, and from the centre"),
+        (np.sqrt(0.29) - 0.1, "measured to the start"),
+        (216.2, "in millimetres"),
+        (0.25, "0.0338 m too much"),
+    ],
+    "B3.2": [
+        (..., "not attempted"),
+        (b3.KEEP - 0.15, "the largest margin"),
+        (b3.KEEP - 0.1 * np.sqrt(2), "the largest height"),
+        (0.1932, "for the spline"),
+        (0.2, "the ends are at the margin"),
+        (0.18, "0.0052 m too little"),
+    ],
+    "B3.3": [
+        (..., "not attempted"),
+        (b3._around(0.28), "it has a radius"),
+        (b3._around(0.42), "leaves out the margin"),
+        (b3._around(0.25), "leaves out the robot's radius and the margin"),
+        (b3._around(0.45, 2 * pi - b3.SEEN), "the far side"),
+        (2, "run into the pillar"),
+        (3, "0.94 m too much"),
     ],
     "A3.1": [
         (..., "not attempted"),

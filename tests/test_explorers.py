@@ -188,3 +188,54 @@ def test_motion_ends_with_its_last_sample(over_there):
 def test_motion_needs_finite_joint_angles(over_there, spoil):
     with pytest.raises(InputError, match="finite joint angles"):
         explorers.motion_explorer(spoil(over_there))
+
+
+def facts(words: widgets.HTML) -> list[float]:
+    """Length of the way, and least clearance of gripper and arm."""
+    return [float(row.split("<td>")[-1].split()[0]) for row in words.value.split("<tr>")[1:]]
+
+
+def test_detour_opens_on_the_shortest_way_around_the_reports_obstacle():
+    sliders, words, _ = parts(explorers.detour_explorer())
+    assert [s.value for s in sliders] == [-0.2, 0.6, 0.15, 0.03]
+    assert facts(words) == [0.295, 0.03, 0.03]
+
+
+@pytest.mark.parametrize(("number", "change"), list(enumerate((0.03, -0.06, -0.02, 0.01))))
+def test_detour_each_slider_moves_the_picture_and_the_numbers(number, change):
+    sliders, words, image = parts(explorers.detour_explorer())
+    picture, text, home = image.value, words.value, sliders[number].value
+    sliders[number].value = home + change
+    assert image.value != picture
+    assert words.value != text
+    sliders[number].value = home
+    assert image.value == picture
+
+
+@pytest.mark.parametrize(
+    ("number", "value", "sentence"),
+    [
+        (3, 0.06, "The start of the motion cannot be used. It is 0.0500 m from the obstacle, where the margin"),
+        (1, 0.5, "The end of the motion cannot be used. It is 0.0500 m deep in the obstacle."),
+    ],
+)
+def test_detour_says_which_end_it_cannot_use(number, value, sentence):
+    sliders, words, _ = parts(explorers.detour_explorer())
+    sliders[number].value = value
+    assert sentence in words.value
+
+
+def test_detour_says_when_the_links_collide():
+    sliders, words, _ = parts(explorers.detour_explorer())
+    for slider, value in zip(sliders, (0.02, 0.3, 0.04, 0.0), strict=True):
+        slider.value = value
+    assert facts(words)[1] > 0 > facts(words)[2]
+    assert "the links collide" in words.value
+
+
+def test_detour_says_when_the_arm_cannot_follow():
+    """A small obstacle between the ends, to be passed above."""
+    sliders, words, _ = parts(explorers.detour_explorer())
+    for slider, value in zip(sliders, (-0.1, 0.5, 0.05, 0.06), strict=True):
+        slider.value = value
+    assert "The path fails first at sample 1 of 0 to 100: Target position is out of reach" in words.value

@@ -66,10 +66,11 @@ def move(
     frames: np.ndarray | None = None,
     length: float = 0.06,
 ) -> None:
-    """Bring the lines of an arm, or with ``frames`` those of its frames, to the joint angles ``q``."""
+    """Bring the lines of an arm, or with ``frames`` those of its frames, to ``q``; either list may be empty."""
     polylines = _polylines(q, geometry) if frames is None else _axes_polylines(frames, length)
-    for spatial, flat, points in zip(lines_3d, lines_side, polylines, strict=True):
+    for spatial, points in zip(lines_3d, polylines, strict=bool(lines_3d)):
         spatial.set_data_3d(*points.T)
+    for flat, points in zip(lines_side, polylines, strict=bool(lines_side)):
         flat.set_data(*_in_plane(points, q).T)
 
 

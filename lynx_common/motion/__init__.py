@@ -10,6 +10,7 @@ a function of tau = t/T, the share of the motion's duration T that has gone by. 
 Metres and radians; joint angles and task coordinates are those of ``arm``, and are not wrapped.
 """
 
+from .detour import detour
 from .following import Followed, follow
 from .paths import Path, arc, joined, line, polyline, sinusoidal, space_line
 from .scalings import cubic, from_stretch, linear, quintic, to_stretch, trapezoidal
@@ -20,6 +21,7 @@ __all__ = [
     "Path",
     "arc",
     "cubic",
+    "detour",
     "duration",
     "follow",
     "from_stretch",

@@ -10,10 +10,12 @@ None of them raises for a wrong answer, so that a notebook with open exercises r
 from IPython.display import Markdown
 
 from ...errors import UnknownNameError
-from . import a1, a2, a3, b1, b2
+from . import a1, a2, a3, b1, b2, b3
 from .exercise import Exercise
 
-EXERCISES: dict[str, Exercise] = {**a1.EXERCISES, **a2.EXERCISES, **a3.EXERCISES, **b1.EXERCISES, **b2.EXERCISES}
+EXERCISES: dict[str, Exercise] = {
+    name: exercise for notebook in (a1, a2, a3, b1, b2, b3) for name, exercise in notebook.EXERCISES.items()
+}
 
 
 def check(name: str, answer: object) -> None:

@@ -5,8 +5,9 @@ as PNG bytes; that is several times faster than drawing anew, and a notebook tha
 """
 
 from .arm import arm_explorer
+from .detour import detour_explorer
 from .limits import limits_explorer
 from .motion import motion_explorer
 from .reach import reach_explorer
 
-__all__ = ["arm_explorer", "limits_explorer", "motion_explorer", "reach_explorer"]
+__all__ = ["arm_explorer", "detour_explorer", "limits_explorer", "motion_explorer", "reach_explorer"]

@@ -107,6 +107,6 @@ ITEMS = [
         6,
         "the star shows how well the arm performs",
         "wrong: at the samples its error is that of rounding, for any arm; drawn in one go it winds twice round "
-        "the base, and joint 1 has one turn",
+        "the base, and joint 1 has one turn within this course's limits",
     ),
 ]

@@ -51,6 +51,6 @@ ITEMS = [
     _claim(
         6,
         "the parameters of a spline around the obstacle are hard to adjust",
-        "wrong: one height is enough, and the clearance that is wanted gives it",
+        "wrong: here, with both ends equally far from the centre, one height is enough, and the clearance gives it",
     ),
 ]

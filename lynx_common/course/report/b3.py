@@ -51,6 +51,6 @@ ITEMS = [
     _claim(
         6,
         "the parameters of a spline around the obstacle are hard to adjust",
-        "wrong: here, with both ends equally far from the centre, one height is enough, and the clearance gives it",
+        "wrong: here, with both ends equally far from the centre, one height will do, and the clearance gives it",
     ),
 ]

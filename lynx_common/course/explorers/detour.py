@@ -99,4 +99,5 @@ def _in_words(way: Way) -> str:
     rows = [f"<tr><td>{name}</td><td>{round(value, 3) + 0.0:.3f} m</td></tr>" for name, value in facts]
     whole = way.whole.min()
     collides = " (the links collide)" if whole < 0 else ""
-    return f"<table>{''.join(rows)}<tr><td>whole arm</td><td>{round(whole, 3) + 0.0:.3f} m{collides}</td></tr></table>"
+    rows.append(f"<tr><td>whole arm</td><td>{round(whole, 3) + 0.0:.3f} m{collides}</td></tr>")
+    return f"<table>{''.join(rows)}</table>"

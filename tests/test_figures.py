@@ -53,6 +53,7 @@ def test_a_movie_is_written_where_asked_for_and_is_the_same_each_time(fig, monke
         fig.axes[0].lines[0].set_ydata([0, i])
 
     drawn = []
+    fig.set_layout_engine("none")  # whatever style another test has set
     monkeypatch.delenv("LYNX_FIGURES", raising=False)
     figures.movie(fig, draw, 3, "1.2")
     assert drawn == []

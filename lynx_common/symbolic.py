@@ -26,6 +26,15 @@ WRIST = sp.symbols("r_wrist h", real=True)
 # One row of a DH table, in general; report eq. (1.1).
 ROW = sp.symbols("a alpha d theta", real=True)
 
+# Pose of the 3-RRR's platform, and the robot's design parameters; report Tables 2.1 to 2.3. The angles beta
+# are those of the base joints about the origin, gamma those of the platform's joints about its centre.
+POSE = sp.symbols("X_c Y_c alpha", real=True)
+DESIGN = (
+    *sp.symbols("S_A L r_platform r_base", positive=True),
+    *sp.symbols("beta_1:4", real=True),
+    *sp.symbols("gamma_1:4", real=True),
+)
+
 # Samples worked through at a time, so that intermediate results stay in the processor's cache.
 CHUNK = 2048
 

@@ -158,7 +158,7 @@ ITEMS = [
     _claim(
         8,
         "2.2, pp. 17-19",
-        "a void is made of singular configurations, or of points without a solution",
+        "the voids correspond to singular configurations",
         "wrong: within a circle there is no configuration; singular is its edge alone, where the leg is folded",
     ),
     _claim(

@@ -17,6 +17,8 @@ TURN = np.arccos((290**2 + 130**2 - 170**2) / (2 * 290 * 130))
 FREE = np.mod(
     np.array(rrr.RRR.base_angles) + np.pi - np.arccos((290**2 + 170**2 - 130**2) / (2 * 290 * 170)), 2 * np.pi
 )
+# r_base = S_A + L + r_platform: at the origin all legs are straight, along lines through C.
+STRETCHED = np.array(rrr.RRR.base_angles) - np.pi, rrr.Geometry(100, 60, 50, 210)
 
 
 def poses(rng, n, geometry=rrr.RRR):
@@ -258,6 +260,15 @@ def test_two_poses_that_share_alpha_are_both_found():
     assert np.nanmax(misses(found, theta, geometry)) < 1e-9
 
 
+def test_poses_that_meet_are_found_once():
+    """At a type-2 singularity two poses are one."""
+    for pose, theta, geometry in [(*meeting(), rrr.RRR), (np.zeros(3), STRETCHED[0], STRETCHED[1])]:
+        found = rrr.forward_kinematics(theta, geometry)
+        assert np.isfinite(found[:, 0]).sum() == 1
+        assert apart(found[0], pose) < 1e-5
+        assert misses(found[0], theta, geometry).max() < 1e-8
+
+
 def test_there_may_be_no_pose():
     theta = np.array([np.pi / 2, 7 * np.pi / 6, 11 * np.pi / 6])  # all links point away from the platform
     assert np.isnan(rrr.forward_kinematics(theta)).all()
@@ -393,8 +404,8 @@ def test_distal_lines_that_meet_in_a_point_are_type_2():
 
 
 def test_both_at_once_are_type_3():
-    stretched = rrr.Geometry(100, 60, 50, 210)  # r_base = S_A + L + r_platform: all legs along lines through C
-    assert rrr.singularity_type([0, 0, 0], np.array(stretched.base_angles) - np.pi, stretched) == 3
+    theta, geometry = STRETCHED
+    assert rrr.singularity_type([0, 0, 0], theta, geometry) == 3
 
 
 @ROBOTS

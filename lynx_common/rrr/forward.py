@@ -39,7 +39,7 @@ def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarra
         rows are NaN where no pose closes, and where the platform can move with the motors locked
         (``self_motion``).
 
-    Source: notebook Part2, section 5; that there are at most six: Merlet, Parallel Robots.
+    Source: notebook Part2, section 7.
     """
     theta = real(theta, THETA)
     flat = theta.reshape(-1, 3)

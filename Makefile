@@ -28,9 +28,10 @@ site: .venv-site/ready  ## build the course as a web page that needs no server, 
 bench: .venv/ready  ## measure speed and memory
 	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
-browser: .venv/ready .venv-browser/ready  ## move a slider of every explorer's notebook in a real Chromium
+browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromium: of the notebooks, and of the site
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
 	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
+	.venv-browser/bin/python tests/site_check.py
 
 clean:  ## remove what was made here, except work/
 	rm -rf .venv .venv-browser .venv-site figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks

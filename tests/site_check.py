@@ -10,6 +10,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 from browser_check import BROWSER_FLAGS, ROOT, chromium, listen, say
 from playwright.sync_api import Frame, Page, sync_playwright
+from playwright.sync_api import TimeoutError as BrowserTimeout
 
 SITE = ROOT / "build" / "site"
 WORD = "elbow"  # searched for
@@ -59,8 +60,7 @@ def check(page: Page, address: str) -> list[str]:
     for name in pages:
         page.goto(f"{address}/{name}")
         page.wait_for_load_state("load")
-        page.wait_for_function(ALL_TYPESET, timeout=30_000)
-        found = [f"{page.evaluate(FAULTY_MATHEMATICS)} faulty formulas"] * (page.evaluate(FAULTY_MATHEMATICS) > 0)
+        found = mathematics(page)
         found += [f"no picture at {source}" for source in page.evaluate(BROKEN_PICTURES)]
         found += [f"no words for the picture {source}" for source in page.evaluate(WITHOUT_WORDS)]
         explorers = [frame for frame in page.frames[1:] if frame.query_selector("input[type=range]")]
@@ -76,6 +76,16 @@ def check(page: Page, address: str) -> list[str]:
     say(f"found for {WORD!r}", page.locator("#search-results li").count())
     say("links", len(local))
     return failures + ["no explorer moves"] * (moved == 0)
+
+
+def mathematics(page: Page) -> list[str]:
+    """Whether some formula is not typeset, or with a fault."""
+    try:
+        page.wait_for_function(ALL_TYPESET, timeout=30_000)
+    except BrowserTimeout:
+        return ["not all formulas are typeset"]
+    faulty = page.evaluate(FAULTY_MATHEMATICS)
+    return [f"{faulty} faulty formulas"] if faulty else []
 
 
 def still(frame: Frame) -> list[str]:

@@ -12,7 +12,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, rrr
 from lynx_common.course.explorers import arm_page, reach_page, rrr_page
-from lynx_common.course.script import javascript
+from lynx_common.course.script import Slider, Words, javascript, page
 from lynx_common.drawing.arm import gripper
 from lynx_common.errors import InputError
 from lynx_common.symbolic import TASK, WRIST, P, Q, numeric, tidy
@@ -118,6 +118,11 @@ def test_both_elbows_are_those_of_the_package_or_none_is_shown(geometry, rng):
         turns = np.deg2rad(row["numbers"][reached]) - own[:, 1:4]
         np.testing.assert_allclose(np.exp(1j * turns), 1, atol=1e-6)
     assert (refusal["numbers"][~reached, 0] > L_1 + L_2).any()
+    for circle, radius in zip(lines[:2], (L_1 + L_2, abs(L_1 - L_2)), strict=True):
+        np.testing.assert_allclose(np.hypot(*(circle["numbers"][0] - [0, d_1]).T), radius, atol=1e-4)
+    back, target = lines[4:]
+    np.testing.assert_allclose(back["numbers"][reached], joints[:, [4, 3]], atol=1e-7)
+    np.testing.assert_allclose(target["numbers"][:, 0], np.stack([r, z], axis=-1))
 
 
 @needs_node
@@ -189,6 +194,11 @@ def test_a_name_that_is_none_in_javascript_is_refused(name):
         javascript([sp.Symbol(name)], (sp.Symbol(name),))
 
 
+def test_quotes_in_a_title_end_nothing():
+    shown = page([], [Slider(X, "x", 0, 1, 0)], [Words("{}", [X])], {}, 'a "title" <b>', 100)
+    assert 'title="a &quot;title&quot; &lt;b&gt;"' in shown.data
+
+
 PAGES = [the_arm, the_reach, rrr_page]
 
 
@@ -207,6 +217,7 @@ def test_it_opens_within_its_views_and_its_sliders(make):
     for view in given["views"]:
         assert np.ptp([view["low"], view["high"]], axis=0) == pytest.approx(view["high"][0] - view["low"][0])
     for slider in given["sliders"]:
+        assert slider["low"] < slider["high"]
         assert slider["low"] <= slider["home"] <= slider["high"]
         assert (slider["home"] - slider["low"]) / slider["step"] % 1 == pytest.approx(0, abs=1e-6)
     for words in given["words"]:

@@ -297,6 +297,31 @@ def test_parallel_says_where_there_is_no_workspace():
     assert "mm to the boundary" in parallel(0, 0, 81)[1].value
 
 
+def painted(image: widgets.Image, colour: str, right: bool = False) -> np.ndarray:
+    """Columns of the pixels of a colour, in the left or in the right half of the picture."""
+    picture = np.asarray(Image.open(io.BytesIO(image.value))).astype(int)
+    half = picture[:, 400:] if right else picture[:, :400]
+    return np.nonzero(np.abs(half - [int(colour[i : i + 2], 16) for i in (1, 3, 5)]).max(axis=-1) <= 3)[1]
+
+
+def test_parallel_draws_the_workspace_at_this_turn_and_the_robot_at_this_place():
+    light_blue = "#cce8f8"
+    sizes = [len(painted(parallel(150, 150, turn)[2], light_blue)) for turn in (0, 60)]
+    assert 4 < sizes[0] / sizes[1] < 8  # of areas it is 6; the robot hides some
+    platform = [painted(parallel(x, 0, 10)[2], "#d55e00").mean() for x in (-60, 60)]
+    assert 25 < platform[1] - platform[0] < 60  # 120 mm, and 0.36 pixels a mm
+
+
+def test_parallel_shows_the_sign_of_det_A_and_where_it_changes():
+    """In mode +++ it is negative in the middle, in mode --- positive; more dashed lines mean more dark pixels."""
+    for mode, (more, less) in ((0, (0, 2)), (7, (2, 0))):  # orange is below zero, purple above
+        picture = np.asarray(Image.open(io.BytesIO(parallel(100, -200, 0, mode)[2].value))).astype(int)
+        red_green_blue = picture[190:200, 565:580].mean(axis=(0, 1))
+        assert red_green_blue[more] > red_green_blue[less] + 20
+    dark = [len(painted(parallel(200, -200, 15, mode)[2], "#4d4d4d", right=True)) for mode in (0, 3)]
+    assert dark[1] > dark[0] + 30
+
+
 @pytest.mark.parametrize(("mode", "kind"), [(0, "type 1: a leg"), (1, "types 1 and 2")])
 def test_parallel_names_singularities(mode, kind):
     _, words, _ = parallel(0, 120, 0, mode)  # leg 1 is folded; in mode 1 the others meet on the axis of symmetry

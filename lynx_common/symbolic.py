@@ -35,8 +35,9 @@ DESIGN = (
     *sp.symbols("gamma_1:4", real=True),
 )
 
-# Samples worked through at a time, so that intermediate results stay in the processor's cache.
-CHUNK = 2048
+# Samples worked through at a time, so that intermediate results stay in the processor's cache; more where an
+# expression has few entries.
+CHUNK, ENTRIES = 2048, 16
 
 
 def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Callable[..., np.ndarray]:
@@ -73,8 +74,9 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
         size = prod(batch)
         flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
         out = np.empty((size, len(entries)))
-        for start in range(0, size, CHUNK):
-            part = slice(start, start + CHUNK)
+        chunk = CHUNK * max(1, ENTRIES // len(entries))
+        for start in range(0, size, chunk):
+            part = slice(start, start + chunk)
             _fill(out[part], _compiled(entries, vectors), [x if x.ndim == 1 else x[part] for x in flat])
         return out.reshape(batch + shape)
 

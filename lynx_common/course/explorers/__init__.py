@@ -10,6 +10,7 @@ from .detour import detour_explorer
 from .limits import limits_explorer
 from .motion import motion_explorer
 from .pages import arm_page, reach_page, rrr_page
+from .parallel import parallel_explorer
 from .reach import reach_explorer
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "detour_explorer",
     "limits_explorer",
     "motion_explorer",
+    "parallel_explorer",
     "reach_explorer",
     "reach_page",
     "rrr_page",

@@ -13,6 +13,7 @@ from ...rrr.inverse import leg, motor_angle
 from ...symbolic import DESIGN, POSE, TASK, WRIST, P, Q
 from ..script import Line, Slider, View, Words, page
 from .arm import HOME_DEG
+from .parallel import HOME
 
 SIGMA = sp.symbols("sigma_1:4", real=True)
 DEGREES = 180 / sp.pi
@@ -111,8 +112,8 @@ def rrr_page(geometry: rrr.Geometry = rrr.RRR) -> HTML:
         words += more_words
     lines.append(Line(sp.Matrix([POSE[:2]]), COLOURS["target"], 0, dots=5))
     far = round(geometry.r_base)
-    facts = zip(POSE, ("X", "Y", "alpha"), (far, far, 180), ("mm", "mm", "°"), strict=True)
-    sliders = [Slider(symbol, name, -high, high, 0, unit=unit) for symbol, name, high, unit in facts]
+    facts = zip(POSE, ("X", "Y", "alpha"), (far, far, 180), HOME, ("mm", "mm", "°"), strict=True)
+    sliders = [Slider(symbol, name, -high, high, home, unit=unit) for symbol, name, high, home, unit in facts]
     sliders += [Slider(sigma, f"bend {i}", -1, 1, 1, 2, "") for i, sigma in enumerate(SIGMA, start=1)]
     view = _square(("X [mm]", "Y [mm]"), 0, 1.05 * (geometry.r_base + geometry.S_A), 200, lines)
     title = "The 3-RRR robot from above; sliders for its platform's pose and for the bend of each leg"

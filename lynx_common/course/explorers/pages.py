@@ -67,7 +67,7 @@ def reach_page(wrist: sp.Matrix, cosine: sp.Expr, shoulder: sp.Expr, geometry: a
     lines = [
         Line(_circle(radius, d_1), COLOURS["aid"], 1, dashed=True) for radius in (L_1 + L_2, sp.Abs(L_1 - L_2))
     ]
-    text = "Out of reach: the wrist would have to\nbe{} m from the shoulder; the links\nreach from{} to{} m."
+    text = "Out of reach: the wrist would be{} m from the shoulder; the links reach from{} to{} m."
     words = [Words(text, [distance, sp.Abs(L_1 - L_2), L_1 + L_2], when=-room), Words("θ₂, θ₃, θ₄", when=room)]
     for sigma, colour, name in ((1, PALE, "light"), (-1, COLOURS["link"], "dark")):
         line, angles = _arm_from_the_side(sigma, wrist, cosine, shoulder, colour, room)
@@ -132,7 +132,7 @@ def _leg(i: int) -> tuple[list[Line], list[Words]]:
         Line(sp.Matrix.vstack(start, end), COLOURS["printed"], 2, dashed=True, when=-room),
         Line(start, COLOURS["link"], 0, dots=6, label=str(i + 1)),
     ]
-    text = f"leg {i + 1} cannot close: its ends are\n{{}} mm apart, and it spans{{}} to{{}} mm"
+    text = f"leg {i + 1} cannot close: its ends are{{}} mm apart, and it spans{{}} to{{}} mm"
     return lines, [
         Words(f"leg {i + 1}: θ ={{}}°", [DEGREES * angle], 1, room),
         Words(text, [distance, sp.Abs(S_A - L), S_A + L], 1, -room),

@@ -113,3 +113,11 @@ class EndpointError(LynxError):
     def __init__(self, which: str, cause: LynxError):
         self.which, self.cause = which, cause
         super().__init__(f"The {which} of the motion cannot be used. {cause}")
+
+
+class ScrewError(LynxError, ValueError):
+    """A screw that is no unit screw, or none at all; ``length`` is that of its axis."""
+
+    def __init__(self, expected: str, length: float):
+        self.expected, self.length = expected, length
+        super().__init__(f"{expected}; the one given has length {length:.6g}.")

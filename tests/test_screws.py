@@ -10,7 +10,7 @@ from lynx_common.errors import InputError, ScrewError
 
 PART_3 = arm.Geometry(5, 10, 10, 0)
 BATCHES = [(), (1,), (3, 1, 2), (0,)]
-ANGLES = [0, 1e-300, 1e-12, 1e-6, 0.01, 0.2999999, 0.3, 0.3000001, 1, 3, np.pi - 1e-9, np.pi]
+ANGLES = [0, 1e-300, 1e-12, 1e-6, 0.9999e-4, 1e-4, 1.0001e-4, 0.001, 0.01, 1, 3, np.pi - 1e-9, np.pi]
 number = st.floats(-3, 3).filter(lambda x: x == 0 or abs(x) > 1e-100)
 sixes = st.tuples(*[number] * 6).map(np.array)
 
@@ -257,6 +257,7 @@ def test_order_tells_what_is_small_from_what_is_zero():
     turn_and_slide = np.array([[0, 1.0], [0, 0], [0, 0], [0, 0], [0, 0], [1, 0]])
     assert screws.order(turn_and_slide) == 2
     assert screws.order(turn_and_slide, length=1e12) == 1
+    assert screws.reciprocal_system(turn_and_slide, length=1e12).shape == (6, 5)
 
 
 @pytest.mark.parametrize("batch", BATCHES)

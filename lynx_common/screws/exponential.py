@@ -5,9 +5,9 @@ import numpy as np
 from ..errors import InputError
 from .reading import pose, real
 
-# Below this angle (radians) a power series takes the place of quotients that would lose digits; its first term
-# left out is then below one unit of the last place.
-SMALL = 0.3
+# Below this angle (radians) limits take the place of quotients, which become 0/0. These are multiplied by
+# theta^2, so that the next term of their series, of order theta^2, counts for theta^4: less than rounding.
+SMALL = 1e-4
 
 # How far the matrix of a twist may be from skew-symmetric, for each unit of its entries.
 SKEW_TOLERANCE = 1e-9
@@ -102,19 +102,15 @@ def cross_matrix(vector: np.ndarray) -> np.ndarray:
 
 
 def _third(theta: np.ndarray) -> np.ndarray:
-    """(theta - sin(theta)) / theta^3."""
-    t2 = theta * theta
-    series = (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72 * (1 - t2 / 110)))) / 6
+    """(theta - sin(theta)) / theta^3, to what its product with theta^2 needs."""
     large = np.where(theta < SMALL, 1.0, theta)
-    return np.where(theta < SMALL, series, (large - np.sin(large)) / large**3)
+    return np.where(theta < SMALL, 1 / 6, (large - np.sin(large)) / large**3)
 
 
 def _of_inverse(theta: np.ndarray) -> np.ndarray:
-    """(1 - theta/2 cot(theta/2)) / theta^2."""
-    t2 = theta * theta
-    series = (1 + t2 / 60 * (1 + t2 / 42 * (1 + t2 / 40 * (1 + t2 * 5 / 198)))) / 12
+    """(1 - theta/2 cot(theta/2)) / theta^2, to what its product with theta^2 needs."""
     large = np.where(theta < SMALL, 1.0, theta)
-    return np.where(theta < SMALL, series, (1 - large / 2 / np.tan(large / 2)) / large**2)
+    return np.where(theta < SMALL, 1 / 12, (1 - large / 2 / np.tan(large / 2)) / large**2)
 
 
 def _rotation_vector(R: np.ndarray) -> np.ndarray:
@@ -132,5 +128,4 @@ def _rotation_vector(R: np.ndarray) -> np.ndarray:
     q = np.take_along_axis(outer, longest[..., None, None], axis=-2)[..., 0, :]
     q = q * np.where(q[..., :1] < 0, -1, 1) / np.linalg.norm(q, axis=-1, keepdims=True)
     sine, cosine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True), q[..., :1]
-    zero = sine == 0
-    return q[..., 1:] * np.where(zero, 2.0, 2 * np.arctan2(sine, cosine) / np.where(zero, 1.0, sine))
+    return q[..., 1:] * 2 * np.arctan2(sine, cosine) / np.where(sine == 0, 1.0, sine)

@@ -43,8 +43,8 @@ def screw(axis: np.ndarray, point: np.ndarray, pitch: np.ndarray = 0.0) -> np.nd
     turns = np.isfinite(pitch) | np.isnan(pitch)
     finite = np.where(turns, pitch, 0.0)
     with np.errstate(invalid="ignore"):
-        v = np.where(turns, np.cross(point, axis) + finite * axis, axis + 0 * point)
-        omega = np.where(turns, axis, 0 * axis) + 0 * v
+        v = np.where(turns, np.cross(point, axis) + finite * axis, axis)
+        omega = np.where(turns, axis, 0 * axis)
     twist = np.concatenate(np.broadcast_arrays(v, omega), axis=-1)
     return np.where(np.isfinite(twist).all(axis=-1, keepdims=True), twist, np.nan)
 

@@ -23,15 +23,15 @@ def order(system: np.ndarray, length: float = 1.0) -> np.ndarray:
     """
     values = np.linalg.svd(_scaled(system, length), compute_uv=False)
     largest = values.max(axis=-1, keepdims=True, initial=0.0)
-    return ((values > RANK_TOLERANCE * largest) & (largest > 0)).sum(axis=-1)
+    return (values > RANK_TOLERANCE * largest).sum(axis=-1)
 
 
 def reciprocal_system(twists: np.ndarray, length: float = 1.0) -> np.ndarray:
     """All wrenches that do no work on any of the twists, as columns of a basis: (6, n) to (6, 6 - order).
 
     It is the null space of the transposed matrix, by singular values; see ``order`` for ``length``. The columns
-    are orthonormal once their forces are multiplied by ``length``. On a chain's joint twists: the wrenches that its
-    structure carries without any motor.
+    are orthonormal once their forces are multiplied by ``length``. On a chain's joint twists: the wrenches that
+    its structure carries without any motor.
     """
     scaled = _scaled(twists, length)
     if scaled.ndim != 2:

@@ -26,8 +26,18 @@ WRIST = sp.symbols("r_wrist h", real=True)
 # One row of a DH table, in general; report eq. (1.1).
 ROW = sp.symbols("a alpha d theta", real=True)
 
-# Samples worked through at a time, so that intermediate results stay in the processor's cache.
-CHUNK = 2048
+# Pose of the 3-RRR's platform, and the robot's design parameters; report Tables 2.1 to 2.3. The angles beta
+# are those of the base joints about the origin, gamma those of the platform's joints about its centre.
+POSE = sp.symbols("X_c Y_c alpha", real=True)
+DESIGN = (
+    *sp.symbols("S_A L r_platform r_base", positive=True),
+    *sp.symbols("beta_1:4", real=True),
+    *sp.symbols("gamma_1:4", real=True),
+)
+
+# Samples worked through at a time, so that intermediate results stay in the processor's cache; more where an
+# expression has few entries.
+CHUNK, ENTRIES = 2048, 16
 
 
 def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Callable[..., np.ndarray]:
@@ -64,8 +74,9 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
         size = prod(batch)
         flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
         out = np.empty((size, len(entries)))
-        for start in range(0, size, CHUNK):
-            part = slice(start, start + CHUNK)
+        chunk = CHUNK * max(1, ENTRIES // len(entries))
+        for start in range(0, size, chunk):
+            part = slice(start, start + chunk)
             _fill(out[part], _compiled(entries, vectors), [x if x.ndim == 1 else x[part] for x in flat])
         return out.reshape(batch + shape)
 

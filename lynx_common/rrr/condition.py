@@ -1,0 +1,59 @@
+"""The condition on alpha for the robot to close at given motor angles, and motor angles that do not fix it."""
+
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from ..symbolic import DESIGN, POSE, numeric, real
+from .geometry import RRR, THETA, Geometry, elbows, platform, platform_joints
+from .velocity import cross
+
+ELBOWS = sp.symbols("M_1x M_1y M_2x M_2y M_3x M_3y", real=True)
+ALPHAS = np.pi / 4 * np.arange(8)  # a trigonometric polynomial of degree 3 is known by its values at these
+LOOSE = 1e-5  # misfit of elbows and platform, as a share of L, below which the platform counts as free
+
+
+def self_motion(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+    """Whether the platform can move although the motors are locked: (..., 3) to (...) of bool.
+
+    It can travel on a circle of radius L where the elbows lie as the platform's joints do, in the same
+    triangle: the distal links then are parallel and stay so. It can turn where the condition on alpha holds at
+    every alpha, for example about three elbows that coincide, if L = r_platform. Lengths are compared to LOOSE
+    times L, which is less than the play of any joint. Motor angles that are NaN or infinite give False.
+    """
+    theta = real(theta, THETA)
+    M = as_complex(elbows(theta, geometry))
+    r = as_complex(platform_joints(np.zeros(3), geometry))
+    M, r = M - M.mean(axis=-1, keepdims=True), r - r.mean()
+    turn = np.exp(1j * np.angle((M * r.conj()).sum(axis=-1, keepdims=True)))
+    congruent = np.abs(M - turn * r).max(axis=-1) <= LOOSE * geometry.L
+    positive, negative = np.moveaxis(condition_at(ALPHAS, theta[..., None, :], geometry), -1, 0)
+    always = np.abs(positive - negative).max(axis=-1) <= LOOSE * (positive + negative).max(axis=-1)
+    return congruent | always
+
+
+@cache
+def condition() -> sp.Matrix:
+    """The condition on alpha as two terms that are equal, in symbols: for the triangle of sides a, b, a - b,
+
+        |a|^2 |b|^2 |a - b|^2 = 4 L^2 (a x b)^2,
+
+    that is, the radius of the circle about its corners M_i - R(alpha) r_i is L.
+    """
+    at_origin = platform().subs({POSE[0]: 0, POSE[1]: 0})
+    corner = sp.Matrix(3, 2, ELBOWS) - at_origin
+    a, b = corner[1, :] - corner[0, :], corner[2, :] - corner[0, :]
+    sides = [v.dot(v) for v in (a, b, a - b)]
+    return sp.Matrix([sp.prod(sides), 4 * DESIGN[1] ** 2 * cross(a, b) ** 2])
+
+
+def condition_at(alpha: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
+    """Both terms of the condition, (..., 2)."""
+    M = elbows(theta, geometry)
+    compiled = numeric(condition(), POSE[2:], ELBOWS, DESIGN)
+    return compiled(alpha[..., None], M.reshape(*M.shape[:-2], 6), geometry)
+
+
+def as_complex(points: np.ndarray) -> np.ndarray:
+    return points[..., 0] + 1j * points[..., 1]

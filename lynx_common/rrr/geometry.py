@@ -1,0 +1,148 @@
+"""The robot itself: its lengths and angles, and where its joints are."""
+
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import astuple, dataclass, fields
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from ..errors import GeometryError
+from ..symbolic import DESIGN, POSE, Q, numeric, real
+
+THETA = Q[:3]
+CORNERS = (np.pi / 2, 7 * np.pi / 6, 11 * np.pi / 6)
+TURNS = 720  # values of alpha at which a new geometry is tried
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """Lengths in mm and angles in radians; report Tables 2.1 and 2.2.
+
+    S_A : the driven link; L : the link that ends at the platform; r_platform, r_base : radii of the circles on
+    which the joints of platform and base lie, at platform_angles and base_angles. Raises GeometryError unless
+    the lengths are finite and longer than zero, each set of angles is three finite numbers, and there is a
+    pose at which all legs close. (A robot that misses it by less than r_platform times a quarter of a degree
+    is let pass.)
+    """
+
+    S_A: float = 170.0
+    L: float = 130.0
+    r_platform: float = 130.0
+    r_base: float = 290.0
+    base_angles: tuple[float, float, float] = CORNERS
+    platform_angles: tuple[float, float, float] = CORNERS
+
+    def __post_init__(self) -> None:
+        for name, value in zip((field.name for field in fields(self)), astuple(self), strict=True):
+            object.__setattr__(self, name, (_angles if name.endswith("angles") else _length)(name, value))
+        if not _closes(self):
+            given = f"{self.S_A:g}, {self.L:g}, {self.r_platform:g} and {self.r_base:g} mm"
+            span = f"a leg spans {abs(self.S_A - self.L):g} to {self.S_A + self.L:g} mm"
+            raise GeometryError("S_A, L, r_platform, r_base", given, f"{span}, and no pose lets all three close")
+
+    def __iter__(self) -> Iterator[float]:
+        return iter((self.S_A, self.L, self.r_platform, self.r_base, *self.base_angles, *self.platform_angles))
+
+    def __array__(self, dtype: type | None = None, copy: bool | None = None) -> np.ndarray:
+        return np.array(tuple(self), dtype=dtype)
+
+
+def _length(name: str, value: float) -> float:
+    if not isinstance(value, int | float | np.number) or isinstance(value, complex | np.complexfloating):
+        raise GeometryError(name, value, "a length is a real number of millimetres")
+    if not (np.isfinite(value) and value > 0):
+        raise GeometryError(name, value, "a length is finite and longer than zero")
+    return float(value)
+
+
+def _angles(name: str, value: tuple[float, float, float]) -> tuple[float, float, float]:
+    angles = np.asarray(value)
+    if angles.shape != (3,) or np.iscomplexobj(angles) or not np.isfinite(angles.astype(float)).all():
+        raise GeometryError(name, value, "three finite angles in radians are expected")
+    return tuple(map(float, angles))
+
+
+def _closes(geometry: Geometry) -> bool:
+    """Whether some pose closes all legs, tried at TURNS values of alpha with room for those between them.
+
+    At one alpha each leg allows the platform's centre a ring. Rings that have a point in common have one where
+    two of their circles cross, or share a whole circle.
+    """
+    S_A, L, r_platform, r_base, *_ = geometry
+    turn = np.exp(2j * np.pi * np.arange(TURNS) / TURNS)[:, None]
+    centre = r_base * np.exp(1j * np.array(geometry.base_angles))
+    centre = centre - turn * r_platform * np.exp(1j * np.array(geometry.platform_angles))
+    slack = np.pi / TURNS * r_platform + 1e-9 * (S_A + L)
+    ends = np.array([max(abs(S_A - L) - slack, 0), S_A + L + slack])
+    c, rho = np.repeat(centre, 2, axis=1), np.tile(ends, 3)
+    apart = c[:, None] - c[:, :, None]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        along = (abs(apart) ** 2 + rho[:, None] ** 2 - rho**2) / (2 * abs(apart))
+        across = 1j * np.sqrt(rho[:, None] ** 2 - along**2)
+        crossings = [c[:, :, None] + (along + side * across) * apart / abs(apart) for side in (1, -1)]
+    points = np.concatenate([x.reshape(TURNS, -1) for x in (*crossings, c + rho)], axis=1)
+    span = abs(points[..., None] - centre[:, None])
+    rounding = 1e-9 * (S_A + L)
+    return bool(((span >= ends[0] - rounding) & (span <= ends[1] + rounding)).all(axis=-1).any())
+
+
+RRR = Geometry()
+
+
+def base_joints(geometry: Geometry = RRR) -> np.ndarray:
+    """The motors PB_1, PB_2, PB_3, in mm: (3, 2)."""
+    return _joints("base")(np.asarray(geometry))
+
+
+def platform_joints(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+    """The platform's joints PP_i in mm: (..., 3) to (..., 3, 2); report eq. (2.1) with the angles of Table 2.2."""
+    return _joints("platform")(checked(pose), geometry)
+
+
+def elbows(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+    """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2); NaN only for an angle that is."""
+    S_A, _, _, r_base, *_ = geometry
+    legs = [(S_A, r_base, beta) for beta in geometry.base_angles]
+    return _joints("elbow")(real(theta, THETA)[..., None], np.array(legs))
+
+
+def checked(pose: np.ndarray) -> np.ndarray:
+    """``pose`` as float64; warns where alpha can hardly be meant in radians."""
+    pose = real(pose, POSE)
+    with np.errstate(invalid="ignore"):
+        if (far := np.abs(pose[..., 2]) > 2 * np.pi).any():
+            given = f"alpha = {pose[..., 2][far][0]:g} rad is more than a full turn; were degrees meant?"
+            warnings.warn(given, stacklevel=3)
+    return pose
+
+
+@cache
+def _joints(which: str) -> Callable:
+    rows, vectors = {
+        "base": (base(), [DESIGN]),
+        "platform": (platform(), [POSE, DESIGN]),
+        "elbow": ((base() + driven())[0, :].T, [THETA[:1], (DESIGN[0], DESIGN[3], DESIGN[4])]),
+    }[which]
+    return numeric(rows, *vectors)
+
+
+def base() -> sp.Matrix:
+    """PB_i as rows, in symbols."""
+    _, _, _, r_base, *angles = DESIGN
+    return sp.Matrix([[r_base * sp.cos(beta), r_base * sp.sin(beta)] for beta in angles[:3]])
+
+
+def platform() -> sp.Matrix:
+    """PP_i as rows, in symbols; report eqs. (2.1) and (2.2)."""
+    (X_c, Y_c, alpha), (_, _, r_platform, *_) = POSE, DESIGN
+    R = sp.Matrix([[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]])
+    corners = [r_platform * sp.Matrix([sp.cos(gamma), sp.sin(gamma)]) for gamma in DESIGN[7:]]
+    return sp.Matrix([(R * corner + sp.Matrix([X_c, Y_c])).T for corner in corners])
+
+
+def driven() -> sp.Matrix:
+    """M_i - PB_i as rows, in symbols."""
+    S_A = DESIGN[0]
+    return sp.Matrix([[S_A * sp.cos(theta), S_A * sp.sin(theta)] for theta in THETA])

@@ -1,0 +1,73 @@
+"""Velocities: how motors and platform move together, and where that breaks down."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from ..symbolic import DESIGN, POSE, numeric, real
+from .geometry import RRR, THETA, Geometry, base, checked, driven, platform
+
+# Shares below which a determinant counts as zero. Rounding of a pose at which a leg is stretched bends the leg
+# by about the square root of the machine's precision, 1e-8.
+SINGULAR = 1e-6
+
+
+def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> tuple[np.ndarray, np.ndarray]:
+    """A and B of A x_dot = B theta_dot, with x the pose.
+
+    Row i says that the speed of PP_i along its distal link is the speed of M_i along it, times L.
+
+    Parameters
+    ----------
+    pose : array, shape (..., 3)
+        X_c, Y_c in mm and alpha in radians.
+    theta : array, shape (..., 3)
+        Motor angles in radians that belong to the pose, as from ``inverse_kinematics``. The leading axes of both
+        broadcast.
+
+    Returns
+    -------
+    A : array, shape (..., 3, 3)
+        Rows [PP_i - M_i, (PP_i - C) x (PP_i - M_i)], in mm and mm^2.
+    B : array, shape (..., 3, 3)
+        Diagonal, with (M_i - PB_i) x (PP_i - M_i), in mm^2.
+
+    Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 6.
+    """
+    rows = velocity_rows()(checked(pose), real(theta, THETA), geometry)
+    return rows[..., :3], rows[..., 3, None] * np.eye(3)
+
+
+def singularity_type(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+    """0 where the pose is regular, 1 where det B = 0, 2 where det A = 0, 3 where both.
+
+    The arguments are those of ``jacobians``. Type 1: a leg is stretched or folded, and the platform loses a
+    freedom. Type 2: the lines of the three distal links meet in a point or are parallel, and it gains one.
+    Lengths are divided out: the sine at each elbow, and det A of unit links over r_platform, are compared with
+    SINGULAR. NaN where pose or theta is not finite; shape (...).
+    """
+    A, B = jacobians(pose, theta, geometry)
+    S_A, L, r_platform, *_ = geometry
+    sines = np.diagonal(B, axis1=-2, axis2=-1) / (S_A * L)
+    first = np.abs(sines).min(axis=-1) <= SINGULAR
+    second = np.abs(np.linalg.det(A / np.array([L, L, L * r_platform]))) <= SINGULAR
+    return np.where(np.isfinite(sines).all(axis=-1), first + 2.0 * second, np.nan)
+
+
+@cache
+def velocity_rows() -> Callable:
+    """Per leg: the row of A, then the diagonal entry of B."""
+    C = sp.Matrix([POSE[:2]])
+    rows = []
+    for PP, PB, proximal in zip(*(joints.tolist() for joints in (platform(), base(), driven())), strict=True):
+        PP, PB, proximal = (sp.Matrix([point]) for point in (PP, PB, proximal))
+        distal = PP - PB - proximal
+        rows.append([*distal, cross(PP - C, distal), cross(proximal, distal)])
+    return numeric(sp.Matrix(rows), POSE, THETA, DESIGN)
+
+
+def cross(u: sp.Matrix, v: sp.Matrix) -> sp.Expr:
+    """The third component of the cross product of two plane vectors."""
+    return u[0] * v[1] - u[1] * v[0]

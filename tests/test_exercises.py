@@ -6,7 +6,7 @@ import sympy as sp
 
 from lynx_common import arm, dh, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1, b2, b3
+from lynx_common.course.exercises import a2, b1, b2, b3, part3
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -57,6 +57,9 @@ RIGHT = {
     "B3.1": [0.2162, [b3.CLEARANCE], sp.sqrt(10) / 10 - sp.Rational(1, 10)],
     "B3.2": [0.1852, b3.KEEP, sp.sqrt(2) / 20 * (1 + sp.sqrt(1 + 16 / sp.pi**2))],
     "B3.3": [2.06, [2.064], b3.SHORTEST],
+    "P3.1": [[2, 2, 1, 1, 3], np.array([2, 2, 1, 1, 3]), sp.Matrix([2, 2, 1, 1, 3]), [2.0, 2, 1, 1, 3]],
+    "P3.2": [1.231, [1.23096], 2 * sp.asin(1 / sp.sqrt(3)), sp.acos(sp.Rational(1, 3))],
+    "P3.3": [0.7227, [0.72273], sp.acos(sp.Rational(3, 4))],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -210,6 +213,32 @@ WRONG = {
         (b3._around(0.45, 2 * pi - b3.SEEN), "the far side"),
         (2, "run into the pillar"),
         (3, "0.94 m too much"),
+    ],
+    "P3.1": [
+        (..., "not attempted"),
+        ([2, 2, 2, 2, 3], "more than one direction may be lost"),
+        ([3, 4, 3, 3, 4], "ranks of the whole Jacobian"),
+        ([1, 1, 2, 2, 0], "the directions lost"),
+        ([2, 3, 1, 2, 3], "look again at posture 2, 4;"),
+        ([2, 2, 1], "shape (3,), where (5,) is expected"),
+    ],
+    "P3.2": [
+        (..., "not attempted"),
+        (70.53, "right in degrees"),
+        (pi / 2, "the arm's reach shrinks"),
+        (2 * pi / 3, "the smallest singular value is largest"),
+        (-1.231, "the other elbow"),
+        (part3.BEND / 2, "half of it"),
+        (1.3310, "0.1000 rad too much"),
+        (1.1310, "0.1000 rad too little"),
+    ],
+    "P3.3": [
+        (..., "not attempted"),
+        (41.41, "right in degrees"),
+        (pi / 6, "makes the determinant 0.5"),
+        (pi / 3, "its square root"),
+        (pi - part3.LEAN, "the least lean"),
+        (0.8, "0.0773 rad too much"),
     ],
     "A3.1": [
         (..., "not attempted"),

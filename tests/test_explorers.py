@@ -11,6 +11,8 @@ from lynx_common import arm, workspace
 from lynx_common.course import explorers
 from lynx_common.errors import InputError
 
+PART_3 = arm.Geometry(5, 10, 10, 0)
+
 
 @pytest.fixture
 def controls() -> dict[str, object]:
@@ -239,3 +241,57 @@ def test_detour_says_when_the_arm_cannot_follow():
     for slider, value in zip(sliders, (-0.1, 0.5, 0.05, 0.06), strict=True):
         slider.value = value
     assert "The path fails first at sample 1 of 0 to 100: Target position is out of reach" in words.value
+
+
+def row(words: widgets.HTML, name: str) -> str:
+    return words.value.split(f"<td>{name}</td><td>")[1].split("<")[0]
+
+
+def test_singularity_says_what_the_jacobian_is():
+    sliders, words, image = parts(explorers.singularity_explorer())
+    assert [s.value for s in sliders] == [30, -80]
+    pictures = [image.value]
+    for values in ((30, -80), (-100, 33), (150, 170)):
+        for slider, value in zip(sliders, values, strict=True):
+            slider.value = value
+        q = np.deg2rad([0, *values, 0, 0])
+        J = arm.jacobian(q, arm.Geometry(5, 10, 10, 0))[:3, :3]
+        singular = np.linalg.svd(J, compute_uv=False)
+        assert row(words, "determinant") == f"{np.linalg.det(J):.1f}"
+        assert row(words, "singular values") == " ".join(f"{value:.2f}" for value in singular)
+        assert row(words, "square to the plane") == f"{np.hypot(*arm.joint_positions(q, PART_3)[3, :2]):.2f}"
+        assert row(words, "speed 1 in the worst direction") == f"{1 / singular[-1]:.2f} rad/s"
+        assert row(words, "singular") == "no"
+        pictures.append(image.value)
+    assert len(set(pictures)) == 3
+    sliders[0].value, sliders[1].value = 30, -80
+    assert image.value == pictures[0]
+
+
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        ((30, 0), "elbow"),
+        ((30, 180), "shoulder, elbow"),
+        ((30, -180), "shoulder, elbow"),
+        ((90, 0), "shoulder, elbow"),
+        ((45, 90), "shoulder"),
+        ((-45, -90), "shoulder"),
+        ((44, 90), "no"),
+        ((30, 1), "no"),
+    ],
+)
+def test_singularity_names_the_factors_that_vanish(values, expected):
+    sliders, words, _ = parts(explorers.singularity_explorer())
+    for slider, value in zip(sliders, values, strict=True):
+        slider.value = value
+    assert row(words, "singular") == expected
+    assert ("no joint speed will do" in words.value) == (expected != "no")
+
+
+def test_singularity_of_another_arm_is_that_of_its_wrist():
+    sliders, words, _ = parts(explorers.singularity_explorer(arm.Geometry(0.1, 0.2, 0.15, 0.1)))
+    sliders[1].value = 180
+    assert row(words, "singular") == "elbow"
+    sliders[0].value = 90
+    assert row(words, "singular") == "shoulder, elbow"

@@ -9,5 +9,13 @@ from .detour import detour_explorer
 from .limits import limits_explorer
 from .motion import motion_explorer
 from .reach import reach_explorer
+from .singularity import singularity_explorer
 
-__all__ = ["arm_explorer", "detour_explorer", "limits_explorer", "motion_explorer", "reach_explorer"]
+__all__ = [
+    "arm_explorer",
+    "detour_explorer",
+    "limits_explorer",
+    "motion_explorer",
+    "reach_explorer",
+    "singularity_explorer",
+]

@@ -87,7 +87,8 @@ EXERCISES = {
         ),
         explanation="With the end level with the shoulder, $r = 2 L \\cos\\frac{\\theta_3}{2}$, and "
         "$|\\det| = 2 L^3 \\sin\\theta_3 \\cos\\frac{\\theta_3}{2} = 4 L^3 s (1 - s^2)$ with "
-        "$s = \\sin\\frac{\\theta_3}{2}$. Its derivative $1 - 3 s^2$ is zero at $s = 1/\\sqrt 3$: $\\theta_3 = 1.2310$ rad, 70.5°.",
+        "$s = \\sin\\frac{\\theta_3}{2}$. Its derivative $1 - 3 s^2$ is zero at "
+        "$s = 1/\\sqrt 3$: $\\theta_3 = 1.2310$ rad, 70.5°.",
         code="answer_2 = 2 * np.arcsin(1 / np.sqrt(3))",
     ),
     "P3.3": Exercise(
@@ -111,8 +112,9 @@ EXERCISES = {
             "For two unit columns with the angle beta between them, J^T J is [[1, c], [c, 1]] with c = cos(beta).",
         ),
         explanation="The columns are $z$, $y$ and $(\\sin\\beta, 0, \\cos\\beta)$. The second is square to the "
-        "others and has the singular value 1. The other two have $J^T J$ with eigenvalues $1 \\pm \\cos\\beta$, so "
-        "the smallest singular value is $\\sqrt{1 - \\cos\\beta}$. It is 0.5 at $\\cos\\beta = 0.75$: $\\beta = 0.7227$ rad, 41.4°. "
+        "others and has the singular value 1. The other two have $J^T J$ with eigenvalues $1 \\pm \\cos\\beta$, "
+        "so the smallest singular value is $\\sqrt{1 - \\cos\\beta}$. "
+        "It is 0.5 at $\\cos\\beta = 0.75$: $\\beta = 0.7227$ rad, 41.4°. "
         "The determinant there is $\\sin\\beta = 0.66$.",
         code="answer_3 = np.arccos(1 - 0.5**2)",
     ),

@@ -75,7 +75,7 @@ def _views(geometry: arm.Geometry) -> Callable[[np.ndarray, np.ndarray], bytes]:
 
 def _map(ax: plt.Axes, geometry: arm.Geometry) -> None:
     """The determinant over both angles, and the lines on which a factor of it vanishes."""
-    angles = np.linspace(-np.pi, np.pi, SAMPLES)
+    angles = np.linspace(-1, 1, SAMPLES) * (np.pi - 1e-6)  # fully folded, r may be 0 for every theta_2
     grid = np.stack(np.meshgrid(angles, angles), axis=-1)
     J, degrees = _jacobian(grid, geometry), np.rad2deg(angles)
     ax.pcolormesh(degrees, degrees, np.linalg.det(J), cmap="PuOr", rasterized=True)

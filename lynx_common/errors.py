@@ -3,6 +3,7 @@
 Each takes the facts, keeps them as attributes and writes the sentence itself.
 """
 
+from collections.abc import Sequence
 from math import degrees
 
 
@@ -113,3 +114,23 @@ class EndpointError(LynxError):
     def __init__(self, which: str, cause: LynxError):
         self.which, self.cause = which, cause
         super().__init__(f"The {which} of the motion cannot be used. {cause}")
+
+
+class NotFreeError(LynxError):
+    """A posture, ``q`` in radians, that a planner was told is not free."""
+
+    def __init__(self, q: Sequence[float]):
+        self.q = q
+        angles = ", ".join(f"{degrees(angle):.2f}" for angle in q)
+        super().__init__(f"The posture ({angles}) deg is not free.")
+
+
+class NoPathError(LynxError):
+    """No path within the budget; the nearest of the ``postures`` reached is ``distance`` radians from the goal."""
+
+    def __init__(self, iterations: int, postures: int, distance: float):
+        self.iterations, self.postures, self.distance = iterations, postures, distance
+        super().__init__(
+            f"No path was found in {iterations} iterations: of the {postures} postures that were reached, the "
+            f"nearest to the goal is {degrees(distance):.2f} deg away from it. A larger budget may find one."
+        )

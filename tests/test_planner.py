@@ -129,7 +129,7 @@ def test_a_better_way_around_is_found_though_the_first_was_the_other():
         return outside_disc(q - lowered)
 
     for seed in range(4):
-        found = planner.plan(free, SQUARE, LEFT, RIGHT, 1500, seed)
+        found = planner.plan(free, SQUARE, LEFT, RIGHT, 600, seed)
         assert found.path[:, 1].min() < -0.2
         assert found.path[:, 1].max() < 0.01
 
@@ -191,7 +191,7 @@ def test_each_posture_of_the_tree_is_reached_by_free_lines_at_its_cost(free):
 
 
 def test_no_posture_of_the_tree_is_better_reached_through_its_near_ones_than_it_is():
-    """RRT*'s own law, for the last posture added: its parent is the best of those near it, and it leads where it helps."""
+    """RRT*'s own law, of the last posture added: its parent is the best near it, and it leads where it helps."""
     found = planner.plan(gap, SQUARE, LEFT, RIGHT, 1500, 4)
     q, cost = found.tree.q[:-1], found.tree.cost[:-1]
     last, last_cost = found.tree.q[-1], found.tree.cost[-1]
@@ -255,7 +255,7 @@ def test_once_there_is_a_path_only_what_may_lie_on_a_better_one_is_drawn(rng):
     ):
         grown, limits = tree.Growing(np.array(start), np.array(goal), 3), np.tile([-1.0, 1.0], (3, 1))
         grown.cost[1] = best = 0.9
-        drawn = np.array([search._draw(grown, limits, rng) for _ in range(4000)])
+        drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
         through = sum(np.linalg.norm(drawn - end, axis=1) for end in grown.q[:2])
         assert through.max() <= best + 1e-12
         assert through.max() > 0.99 * best
@@ -265,14 +265,23 @@ def test_once_there_is_a_path_only_what_may_lie_on_a_better_one_is_drawn(rng):
         along = from_middle @ axis / apart
         across = np.sqrt((from_middle**2).sum(axis=1) - along**2)
         level = np.hypot(along / (best / 2), across / (np.sqrt(best**2 - apart**2) / 2))
-        assert (level < 0.5).mean() == pytest.approx(0.125, abs=0.02)
+        assert (level < 0.5).mean() == pytest.approx(0.125, abs=0.025)
         assert np.abs(drawn.mean(axis=0) - grown.q[:2].mean(axis=0)).max() < 0.02
+
+
+def test_what_is_drawn_is_within_limits_where_these_hold_hardly_any_of_the_ellipsoid(rng):
+    limits = np.array([[-1.0, 1.0], [-1e-3, 1e-3]])
+    grown = tree.Growing(np.array([-0.8, 0]), np.array([0.8, 0]), 3)
+    grown.cost[1] = 3.0
+    drawn = np.array([search._draw(grown, limits, rng) for _ in range(300)])
+    assert (np.abs(drawn) <= limits[:, 1]).all()
+    assert len(np.unique(drawn, axis=0)) == 300
 
 
 def test_until_there_is_a_path_anything_within_limits_is_drawn_and_the_goal_now_and_then(rng):
     limits = np.array([[-3.0, 1.0], [2.0, 2.5]])
     grown = tree.Growing(np.array([0.0, 2.2]), np.array([-2.0, 2.4]), 3)
-    drawn = np.array([search._draw(grown, limits, rng) for _ in range(4000)])
+    drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
     goals = (drawn == grown.q[1]).all(axis=1)
     assert goals.mean() == pytest.approx(search.GOAL_SHARE, abs=0.015)
     others = drawn[~goals]

@@ -134,3 +134,26 @@ class NoPathError(LynxError):
             f"No path was found in {iterations} iterations: of the {postures} postures that were reached, the "
             f"nearest to the goal is {degrees(distance):.2f} deg away from it. A larger budget may find one."
         )
+
+
+class MarginError(LynxError):
+    """A smallest singular value that is ``asked`` for where (``where``) no more than ``best`` is possible."""
+
+    def __init__(self, asked: float, best: float, where: str):
+        self.asked, self.best, self.where = asked, best, where
+        super().__init__(
+            f"A smallest singular value of {asked:.2f} cannot be kept: {where} allows {best:.2f} at most."
+        )
+
+
+class SingularError(LynxError):
+    """A place that is too near to a singularity: the ``factors`` at fault, its smallest singular ``value``, the one
+    ``asked`` for, and the ``nearest`` place (x, y, z) that keeps that."""
+
+    def __init__(self, factors: Sequence[str], value: float, asked: float, nearest: Sequence[float]):
+        self.factors, self.value, self.asked, self.nearest = tuple(factors), value, asked, tuple(nearest)
+        place = ", ".join(f"{x:.2f}" for x in nearest)
+        super().__init__(
+            f"The place is singular, or nearly so, in the factor of the {' and of the '.join(factors)}: its smallest "
+            f"singular value is {value:.2f}, where {asked:.2f} is asked for. The nearest place that has it is ({place})."
+        )

@@ -290,11 +290,27 @@ def test_until_there_is_a_path_anything_within_limits_is_drawn_and_the_goal_now_
     np.testing.assert_allclose(others.mean(axis=0), limits.mean(axis=1), atol=0.06)
 
 
-def test_what_cannot_be_on_a_better_path_is_not_added():
-    found = planner.plan(outside_disc, SQUARE, LEFT, RIGHT, 2000)
-    first = found.history[np.isfinite(found.history).argmax()]
-    late = found.tree.q[-50:]
-    assert (np.linalg.norm(late - LEFT, axis=1) + np.linalg.norm(late - RIGHT, axis=1)).max() < first
+@pytest.mark.parametrize(("height", "added"), [(0.59, 1), (0.61, 0)])
+def test_only_what_may_be_on_a_better_path_is_added(height, added):
+    """The best path has length 2, start and goal are 1.6 apart: halfway, 0.6 aside is as long."""
+    grown = tree.Growing(LEFT, RIGHT, 4)
+    grown.attach(1, 0, 2.0)
+    search._grow(grown, everywhere, np.array([0, height]), 1.0, RESOLUTION)
+    assert grown.size == 2 + added
+    assert (grown.cost[1] < 2) == added
+
+
+@pytest.mark.parametrize("order", [(0.1, 0.2), (0.2, 0.1)])
+@pytest.mark.parametrize("level", [0.0, 0.1, 0.2])
+def test_the_parent_is_the_best_from_which_the_line_is_free(order, level):
+    """From the start the travel is least, then through 0.1, then 0.2; but only level lines are free."""
+    grown = tree.Growing(np.zeros(2), np.array([5.0, 5]), 5)
+    for y in order:
+        grown.add(np.array([0.0, y]), 0, y)
+    corridor = lambda q: (q[:, 0] == 0) | (q[:, 0] > 0.3) | (np.abs(q[:, 1] - level) < 0.04)  # noqa: E731
+    search._grow(grown, corridor, np.array([0.4, level]), 1.0, RESOLUTION)
+    assert grown.q[grown.parent[4]].tolist() == [0, level]
+    assert grown.cost[4] == pytest.approx(0.4 + level)
 
 
 # What is asked of `free`

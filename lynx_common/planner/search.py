@@ -106,8 +106,8 @@ def _grow(tree: Growing, free: Free, q: np.ndarray, step: float, resolution: flo
         q = from_ + step / far * (q - from_)
         near, distance = tree.near(q)
     total = tree.cost[near] + distance
-    if distance.min() == 0 or total.min() + np.linalg.norm(tree.q[GOAL] - q) >= tree.cost[GOAL]:
-        return  # it is there already, or cannot be on a better path
+    if total.min() + np.linalg.norm(tree.q[GOAL] - q) >= tree.cost[GOAL]:
+        return  # it cannot be on a better path
     order = np.argsort(total, kind="stable")
     for some in (order[:1], order[1:]):  # mostly the first will do
         reached = edges_free(free, tree.q[near[some]], np.broadcast_to(q, (len(some), len(q))), resolution)

@@ -147,13 +147,13 @@ class MarginError(LynxError):
 
 
 class SingularError(LynxError):
-    """A place that is too near to a singularity: the ``factors`` at fault, its smallest singular ``value``, the one
-    ``asked`` for, and the ``nearest`` place (x, y, z) that keeps that."""
+    """A place too near to a singularity: its smallest singular ``value`` is below what is ``asked``, because of
+    ``factors`` (their names); ``nearest`` is the nearest place (x, y, z) that keeps it."""
 
     def __init__(self, factors: Sequence[str], value: float, asked: float, nearest: Sequence[float]):
         self.factors, self.value, self.asked, self.nearest = tuple(factors), value, asked, tuple(nearest)
         place = ", ".join(f"{x:.2f}" for x in nearest)
         super().__init__(
-            f"The place is singular, or nearly so, in the factor of the {' and of the '.join(factors)}: its smallest "
-            f"singular value is {value:.2f}, where {asked:.2f} is asked for. The nearest place that has it is ({place})."
+            f"Too near to a singularity ({' and '.join(factors)}): smallest singular value {value:.2f}, where "
+            f"{asked:.2f} is asked for. The nearest place that has it is ({place})."
         )

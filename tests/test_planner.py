@@ -91,7 +91,9 @@ def test_limits_of_all_joints_are_kept_though_the_ellipsoid_goes_beyond():
 
 
 def test_the_straight_line_is_the_path_where_it_is_free():
-    found = planner.plan(everywhere, SQUARE, LEFT, RIGHT, 30)
+    calls = []
+    found = planner.plan(lambda q: (calls.append(len(q)), everywhere(q))[1], SQUARE, LEFT, RIGHT, 30)
+    assert len(calls) == 3  # start, goal, the line
     np.testing.assert_array_equal(found.path, [LEFT, RIGHT])
     np.testing.assert_array_equal(found.history, np.full(30, 1.6))
     np.testing.assert_array_equal(found.tree.parent, [-1, 0])
@@ -422,7 +424,7 @@ def test_a_start_or_goal_that_is_not_free_is_named():
         np.testing.assert_array_equal(caught.value.cause.q, [0, 0.1])
 
 
-@pytest.mark.parametrize("value", [-1.1, 1.1])
+@pytest.mark.parametrize("value", [-1.1, 1.1, 1 + 1e-8])
 def test_a_start_or_goal_outside_the_limits_is_named(value):
     for which, start, goal in (("start", [0, value], RIGHT), ("goal", LEFT, [0, value])):
         with pytest.raises(EndpointError, match=rf"The {which} .* Joint 2 would stand at") as caught:
@@ -432,6 +434,8 @@ def test_a_start_or_goal_outside_the_limits_is_named(value):
 
 
 def test_ends_on_the_limits_are_within_them():
+    over = [[-1 - 1e-10, -1], [1, 1 + 1e-10]]
+    assert planner.plan(everywhere, SQUARE, *over).cost == pytest.approx(2 * np.sqrt(2))
     assert planner.plan(everywhere, SQUARE, [-1, -1], [1, 1]).cost == pytest.approx(2 * np.sqrt(2))
 
 

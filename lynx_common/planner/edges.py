@@ -6,6 +6,9 @@ import numpy as np
 
 from ..errors import EndpointError, InputError, JointLimitError, NotFreeError
 
+# Room for rounding where a start or a goal stands exactly at a limit, as in ``arm``.
+AT_LIMIT = 1e-9
+
 Free = Callable[[np.ndarray], np.ndarray]
 
 
@@ -44,7 +47,7 @@ def problem(
         q = finite(name, q, 1)
         if q.shape != limits[:, 0].shape:
             raise InputError(f"The {name} has {q.size} joints, where there are limits for {len(limits)}.")
-        for joint in np.flatnonzero((q < limits[:, 0]) | (q > limits[:, 1])):
+        for joint in np.flatnonzero((q < limits[:, 0] - AT_LIMIT) | (q > limits[:, 1] + AT_LIMIT)):
             cause = JointLimitError(int(joint) + 1, float(q[joint]), *map(float, limits[joint]))
             raise EndpointError(name, cause)
         if not _free(free, q[None])[0]:

@@ -100,6 +100,7 @@ def _draw(tree: Growing, limits: np.ndarray, rng: np.random.Generator) -> np.nda
 
 
 def _grow(tree: Growing, free: Free, q: np.ndarray, step: float, resolution: float) -> None:
+    """Add the posture ``q``, or the one a step towards it, where it can be reached and may help."""
     near, distance = tree.near(q)
     if (far := distance.min()) > step:
         from_ = tree.q[near[distance.argmin()]]

@@ -169,8 +169,9 @@ class NoPathError(LynxError):
     def __init__(self, iterations: int, postures: int, distance: float):
         self.iterations, self.postures, self.distance = iterations, postures, distance
         super().__init__(
-            f"No path was found in {iterations} iterations: of the {postures} postures that were reached, the "
-            f"nearest to the goal is {degrees(distance):.2f} deg away from it. A larger budget may find one."
+            f"No path was found in {iterations} iteration{'s' * (iterations > 1)}: "
+            f"of the {postures} postures reached, the nearest to the goal is {degrees(distance):.2f} deg away "
+            "from it. A larger budget may find one."
         )
 
 

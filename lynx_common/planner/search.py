@@ -41,7 +41,7 @@ def plan(
     """A path of little joint travel from start to goal, by RRT*.
 
     Each iteration draws a posture at random and goes from the nearest of the tree towards it, by ``step`` at most.
-    What it reaches it joins to that one of the nearest k = e (1 + 1/m) log n from which the travel is least, and
+    What it reaches it joins to that one of the nearest k > e (1 + 1/m) log n from which the travel is least, and
     leads others of these through it, and to the goal, where that is shorter. Once there is a path, postures are
     drawn only from the ellipsoid of those that may lie on a better one. Where the straight line from start to
     goal is free it is the path, and nothing is searched.
@@ -100,6 +100,7 @@ def _draw(tree: Growing, limits: np.ndarray, rng: np.random.Generator) -> np.nda
 
 
 def _grow(tree: Growing, free: Free, q: np.ndarray, step: float, resolution: float) -> None:
+    """Add the posture ``q``, or the one a step towards it, where it can be reached and may help."""
     near, distance = tree.near(q)
     if (far := distance.min()) > step:
         from_ = tree.q[near[distance.argmin()]]

@@ -53,7 +53,7 @@ class Growing:
     def near(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rows of the k nearest postures that are attached, and their distances."""
         n, m = self.size, len(q)
-        k = min(n, int(np.ceil(np.e * (1 + 1 / m) * np.log(n))))
+        k = min(n, int(np.e * (1 + 1 / m) * np.log(n)) + 1)
         order = self.squared[:n] - 2 * (self.q[:n] @ q)  # squared distances, but for a constant
         near = np.argpartition(order, k - 1)[:k] if k < n else np.arange(n)
         near = near[np.isfinite(self.cost[near])]

@@ -67,3 +67,16 @@ def test_quotes_cannot_end_the_page_early():
 def test_what_cannot_be_shown_is_refused(points, items):
     with pytest.raises(InputError):
         player(points, moving=items)
+
+
+def test_a_view_from_above_has_x_to_the_right_and_y_up():
+    above, aside = (page(player(POINTS, from_above=option)) for option in (True, False))
+    assert "let turn = -1.5708, tilt = 1.5708," in above
+    assert "let turn = -1.1, tilt = 0.35," in aside
+
+
+def test_it_says_what_moves():
+    assert (
+        'title="A &quot;robot&quot; in motion; drag to turn the view"'
+        in player(POINTS, title='A "robot" in motion').data
+    )

@@ -17,6 +17,8 @@ TURN = np.arccos((290**2 + 130**2 - 170**2) / (2 * 290 * 130))
 FREE = np.mod(
     np.array(rrr.RRR.base_angles) + np.pi - np.arccos((290**2 + 170**2 - 130**2) / (2 * 290 * 170)), 2 * np.pi
 )
+# r_base = S_A + L + r_platform: at the origin all legs are straight, along lines through C.
+STRETCHED = np.array(rrr.RRR.base_angles) - np.pi, rrr.Geometry(100, 60, 50, 210)
 
 
 def poses(rng, n, geometry=rrr.RRR):
@@ -90,12 +92,40 @@ def test_a_robot_that_closes_no_loop_is_refused(lengths, closes):
             rrr.Geometry(*lengths)
 
 
-def test_a_robot_whose_every_pose_shares_a_whole_circle_is_not_refused():
-    """All rings about one point: no two circles cross."""
+def test_a_robot_that_closes_at_one_angle_only_is_not_refused():
+    """All legs stretched towards the centre, at an alpha between those that are tried."""
+    off = np.deg2rad(0.2)
+    geometry = rrr.Geometry(100, 60, 50, 210, platform_angles=tuple(np.array(rrr.RRR.platform_angles) + off))
+    assert rrr.reachable([0, 0, -off], geometry)
+
+
+def test_no_robot_that_closes_is_refused(rng):
+    """Random robots that close at one pose at least, where legs are stretched or folded."""
+    for _ in range(200):
+        S_A, L, r_platform = rng.uniform(20, 200, 3)
+        gamma = rng.uniform(-np.pi, np.pi, 3)
+        C, alpha = rng.uniform(-100, 100, 2), rng.uniform(-np.pi, np.pi)
+        PP = C + r_platform * np.c_[np.cos(alpha + gamma), np.sin(alpha + gamma)]
+        r_base = 300.0
+        span = np.where(rng.random(3) < 0.5, S_A + L, abs(S_A - L))
+        away = np.linalg.norm(PP, axis=1)
+        cosine = (away**2 + r_base**2 - span**2) / (2 * away * r_base)
+        if np.abs(cosine).max() < 1:
+            beta = np.arctan2(PP[:, 1], PP[:, 0]) + np.arccos(cosine)
+            geometry = rrr.Geometry(S_A, L, r_platform, r_base, tuple(beta), tuple(gamma))
+            np.testing.assert_allclose(rrr.leg_lengths([*C, alpha], geometry), span, atol=1e-9)
+
+
+def test_rings_that_coincide_do_not_hide_the_others():
     assert rrr.reachable([50, 0, 0], rrr.Geometry(100, 50, 30, 30))
 
 
 # Inverse kinematics
+
+
+def test_working_modes_are_listed_with_plus_first():
+    assert rrr.WORKING_MODES[:3] == ((1, 1, 1), (1, 1, -1), (1, -1, 1))
+    assert len(set(rrr.WORKING_MODES)) == 8
 
 
 @ROBOTS
@@ -131,14 +161,23 @@ def test_a_leg_that_is_stretched_or_folded_still_closes(span):
     at = np.array([0, 290 - span - 130, 0.0])
     theta = rrr.inverse_kinematics(at)[:, 0]
     np.testing.assert_allclose(theta, -np.pi / 2, atol=1e-6)
-    beyond = at - [0, np.sign(span - 100) * 1e-6, 0]
+    beyond = at - [0, np.sign(span - 100) * 1e-7, 0]
     assert np.isnan(rrr.inverse_kinematics(beyond)[:, 0]).all()
+
+
+def test_rounding_does_not_open_a_stretched_leg():
+    direction = np.linspace(-np.pi, 0, 400)
+    at = np.c_[300 * np.cos(direction), 160 + 300 * np.sin(direction), np.zeros(400)]
+    assert np.isfinite(rrr.inverse_kinematics(at)[..., 0]).all()
 
 
 def test_where_platform_and_base_joint_meet_equal_links_close_at_any_angle():
     pose = np.array([0, 160 - 80 * np.sin(1.2), 0]) - [80 * np.cos(1.2), 0, 0]
     theta = rrr.inverse_kinematics(pose, LONG_DISTAL)[:, 0]
     assert misses(pose, np.array([theta[0], 0, 0]), LONG_DISTAL)[0] < 1e-9
+    small = rrr.Geometry(100, 100, 40, 50)
+    assert rrr.reachable([0, 10, 0], small)
+    assert rrr.leg_lengths([0, 10, 0], small)[0] < 1e-9
 
 
 def test_one_target_one_mode_or_a_sentence():
@@ -191,14 +230,16 @@ def test_forward_kinematics_finds_what_newton_finds_from_many_starts(rng, geomet
         assert away.min(axis=0).max() < 1e-4
 
 
-def test_alpha_of_half_a_turn_is_found():
+@pytest.mark.parametrize("eighths", range(-3, 5))
+def test_alpha_of_half_a_turn_is_found(rng, eighths):
+    """tan(alpha / 2) is infinite there. So it is, in the package, opposite to one of these eight angles."""
     small = rrr.Geometry(200, 180, 50, 150)
-    pose = np.array([20, -30, np.pi])
-    theta = rrr.inverse_kinematics(pose, small)[0]
+    pose = np.insert(rng.uniform(-50, 50, (200, 2)), 2, eighths * np.pi / 4, axis=1)
+    theta = rrr.inverse_kinematics(pose, small)[:, 0]
     found = rrr.forward_kinematics(theta, small)
-    assert np.nanmin(apart(found, pose)) < 1e-9
-    assert np.nanmax(found[:, 2]) <= np.pi
-    assert np.nanmin(found[:, 2]) > -np.pi
+    assert np.nanmin(apart(found, pose[:, None]), axis=1).max() < 1e-6
+    assert np.nanmax(found[..., 2]) <= np.pi
+    assert np.nanmin(found[..., 2]) > -np.pi
 
 
 def test_two_poses_that_share_alpha_are_both_found():
@@ -217,6 +258,15 @@ def test_two_poses_that_share_alpha_are_both_found():
     assert apart(sharing, pose).min() < 1e-9
     assert apart(sharing[0], sharing[1]) > 1
     assert np.nanmax(misses(found, theta, geometry)) < 1e-9
+
+
+def test_poses_that_meet_are_found_once():
+    """At a type-2 singularity two poses are one."""
+    for pose, theta, geometry in [(*meeting(), rrr.RRR), (np.zeros(3), STRETCHED[0], STRETCHED[1])]:
+        found = rrr.forward_kinematics(theta, geometry)
+        assert np.isfinite(found[:, 0]).sum() == 1
+        assert apart(found[0], pose) < 1e-5
+        assert misses(found[0], theta, geometry).max() < 1e-8
 
 
 def test_there_may_be_no_pose():
@@ -349,12 +399,13 @@ def test_distal_lines_that_meet_in_a_point_are_type_2():
     A, B = rrr.jacobians(pose, theta)
     np.testing.assert_allclose(A @ [0, 0, 1], 0, atol=1e-9)  # the platform can turn about that point
     assert np.abs(np.linalg.det(B)) > 1e9
-    assert rrr.singularity_type(pose + [0, 0, 0.01], rrr.inverse_kinematics(pose + [0, 0, 0.01])).min() == 0
+    beside = pose + [0, 0, 1e-4]
+    assert rrr.singularity_type(beside, rrr.inverse_kinematics(beside)[0]) == 0
 
 
 def test_both_at_once_are_type_3():
-    stretched = rrr.Geometry(100, 60, 50, 210)  # r_base = S_A + L + r_platform: all legs along lines through C
-    assert rrr.singularity_type([0, 0, 0], np.array(stretched.base_angles) - np.pi, stretched) == 3
+    theta, geometry = STRETCHED
+    assert rrr.singularity_type([0, 0, 0], theta, geometry) == 3
 
 
 @ROBOTS
@@ -363,12 +414,13 @@ def test_ordinary_poses_are_regular(rng, geometry):
     assert (rrr.singularity_type(pose, theta, geometry) == 0).mean() > 0.99
 
 
-@pytest.mark.parametrize("scale", [1e-3, 1e3])
+@pytest.mark.parametrize("scale", [1e-7, 1e7])
 def test_the_type_does_not_depend_on_the_unit(scale):
     geometry = rrr.Geometry(*(scale * np.array(tuple(rrr.RRR)[:4])))
     pose, theta = meeting()
     assert rrr.singularity_type(pose * [scale, scale, 1], theta, geometry) == 2
-    assert rrr.singularity_type(pose * [scale, scale, 1] + [0, 0, 0.01], theta, geometry) == 0
+    beside = pose * [scale, scale, 1] + [0, 0, 0.01]
+    assert rrr.singularity_type(beside, rrr.inverse_kinematics(beside, geometry)[0], geometry) == 0
 
 
 # Workspace
@@ -523,6 +575,8 @@ def test_a_workspace_has_one_finite_alpha(alpha):
 def test_degrees_for_alpha_are_noticed(call):
     with pytest.warns(UserWarning, match="30 rad is more than a full turn; were degrees meant"):
         call(30)
+    with pytest.warns(UserWarning, match="6.5 rad is more"):
+        call(6.5)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         call(-2 * np.pi)

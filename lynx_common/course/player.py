@@ -10,6 +10,7 @@ from IPython.display import HTML
 from ..errors import InputError
 
 PAGE = Path(__file__).with_name("player.html").read_text(encoding="utf-8")
+FROM_THE_SIDE, FROM_ABOVE = (-1.1, 0.35), (-1.5708, 1.5708)  # turn and tilt of the view, in radians
 DIGITS = 4  # decimals of a metre: a tenth of a millimetre
 
 
@@ -18,7 +19,12 @@ def player(
     still: list[np.ndarray] | None = None,
     moving: np.ndarray | None = None,
     seconds: float = 6,
+<<<<<<< HEAD
     radius: float = 0.0,
+=======
+    from_above: bool = False,
+    title: str = "The arm in motion",
+>>>>>>> main
 ) -> HTML:
     """A player with a play button, a slider for the time, and a view that is turned by dragging.
 
@@ -31,7 +37,13 @@ def player(
     still : arrays, shape (m, 3)
         Lines that do not move: belts, a planned path.
     moving : array, shape (n, j, 3)
+<<<<<<< HEAD
         Items that are drawn as squares; as balls where ``radius``, in metres, is not 0.
+=======
+        Items that are drawn as squares.
+    from_above : whether the view opens against z, x to the right and y up, for a robot in the plane
+    title : what a reader hears who cannot see it
+>>>>>>> main
 
     Raises InputError where a number is not finite, the shapes do not match or the radius is negative.
     """
@@ -43,9 +55,12 @@ def player(
         raise InputError(f"The radius of the items is finite and not negative; {radius} was given.")
     data = {"radius": float(radius), "arm": points, "items": moving, "lines": list(map(_finite, still or []))}
     numbers = json.dumps(data | {"seconds": seconds}, default=np.ndarray.tolist, separators=(",", ":"))
-    page = html.escape(PAGE.replace("DATA", numbers))
+    page = PAGE.replace("DATA", numbers)
+    for name, angle in zip(("TURN", "TILT"), FROM_ABOVE if from_above else FROM_THE_SIDE, strict=True):
+        page = page.replace(name, str(angle))
+    page = html.escape(page)
     return HTML(
-        f'<div><iframe srcdoc="{page}" title="The arm in motion; drag to turn the view" '
+        f'<div><iframe srcdoc="{page}" title="{html.escape(title)}; drag to turn the view" '
         'style="width:100%;max-width:680px;height:470px;border:0"></iframe></div>'
     )
 

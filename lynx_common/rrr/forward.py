@@ -39,7 +39,7 @@ def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarra
         rows are NaN where no pose closes, and where the platform can move with the motors locked
         (``self_motion``).
 
-    Source: notebook Part2, section 5; that there are at most six: Merlet, Parallel Robots.
+    Source: notebook Part2, section 7.
     """
     theta = real(theta, THETA)
     flat = theta.reshape(-1, 3)
@@ -115,17 +115,22 @@ def _centres(alpha: np.ndarray, theta: np.ndarray, geometry: Geometry) -> tuple[
 
 
 def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
-    """``pose`` (n, 3) after Newton's method on the legs' lengths; NaN where they do not close."""
-    for _ in range(NEWTON):
+    """``pose`` (n, 3) after Newton's method on the legs' lengths; NaN where they do not close.
+
+    The best of all steps is kept: where two poses meet, A is singular, and a step can lead away from a solution.
+    """
+    best, least = pose, np.full(len(pose), np.inf)
+    for _ in range(NEWTON + 1):
         off, A = _open(pose, theta, geometry)
+        miss = np.abs(off).max(axis=-1, initial=0)
+        best = np.where((miss < least)[:, None], pose, best)
+        least = np.fmin(miss, least)
         u, v, w = np.moveaxis(A, -2, 0)
         columns = np.stack([np.cross(v, w), np.cross(w, u), np.cross(u, v)], axis=-1)
         with np.errstate(invalid="ignore", divide="ignore"):
-            step = (columns @ off[..., None])[..., 0] / (u * columns[..., 0]).sum(axis=-1)[:, None]
-        pose = pose - np.where(np.isfinite(step), step, 0)
+            pose = pose - (columns @ off[..., None])[..., 0] / (u * columns[..., 0]).sum(axis=-1)[:, None]
     S_A, L, *_ = geometry
-    closed = np.abs(_open(pose, theta, geometry)[0]).max(axis=-1, initial=0) <= CLOSED * (S_A + L) * L
-    return np.where(closed[:, None], _wrap(pose), np.nan)
+    return np.where((least <= CLOSED * (S_A + L) * L)[:, None], _wrap(best), np.nan)
 
 
 def _open(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, np.ndarray]:

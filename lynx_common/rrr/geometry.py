@@ -67,8 +67,8 @@ def _angles(name: str, value: tuple[float, float, float]) -> tuple[float, float,
 def _closes(geometry: Geometry) -> bool:
     """Whether some pose closes all legs, tried at TURNS values of alpha with room for those between them.
 
-    At one alpha each leg allows the platform's centre a ring. Rings that have a point in common have one where
-    two of their circles cross, or share a whole circle.
+    At one alpha each leg allows the platform's centre a ring. Rings of one size that have a point in common have
+    one where two of their circles cross (or all are the same ring, which they are not at every alpha).
     """
     S_A, L, r_platform, r_base, *_ = geometry
     turn = np.exp(2j * np.pi * np.arange(TURNS) / TURNS)[:, None]
@@ -82,7 +82,7 @@ def _closes(geometry: Geometry) -> bool:
         along = (abs(apart) ** 2 + rho[:, None] ** 2 - rho**2) / (2 * abs(apart))
         across = 1j * np.sqrt(rho[:, None] ** 2 - along**2)
         crossings = [c[:, :, None] + (along + side * across) * apart / abs(apart) for side in (1, -1)]
-    points = np.concatenate([x.reshape(TURNS, -1) for x in (*crossings, c + rho)], axis=1)
+    points = np.concatenate([x.reshape(TURNS, -1) for x in crossings], axis=1)
     span = abs(points[..., None] - centre[:, None])
     rounding = 1e-9 * (S_A + L)
     return bool(((span >= ends[0] - rounding) & (span <= ends[1] + rounding)).all(axis=-1).any())

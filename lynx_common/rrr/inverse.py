@@ -35,7 +35,7 @@ def inverse_kinematics(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray
         Angles in [-pi, pi], one row per entry of ``WORKING_MODES``. An entry is NaN where its leg cannot close.
         Where PP_i = PB_i (possible if S_A = L) any angle closes, and 0 is given.
 
-    Source: report eqs. (2.3) to (2.12), with the base joints that they leave out; notebook Part2, section 3.
+    Source: report eqs. (2.3) to (2.12), with the base joints put back; notebook Part2, sections 2 and 4.
     """
     pose = checked(pose)
     both = _both_sides()(pose, geometry).reshape(*pose.shape[:-1], 2, 3)

@@ -34,7 +34,7 @@ def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> 
     B : array, shape (..., 3, 3)
         Diagonal, with (M_i - PB_i) x (PP_i - M_i), in mm^2.
 
-    Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 6.
+    Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
     """
     rows = velocity_rows()(checked(pose), real(theta, THETA), geometry)
     return rows[..., :3], rows[..., 3, None] * np.eye(3)

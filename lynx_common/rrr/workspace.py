@@ -29,8 +29,7 @@ def constant_orientation_workspace(alpha: float, geometry: Geometry = RRR) -> ar
     Leg i allows the centre a ring about PB_i - R(alpha) r_i, from |S_A - L| to S_A + L, with r_i the
     platform's joint seen from its centre. The workspace is what the three rings have in common; it may be empty.
 
-    Raises InputError unless alpha is one finite number. Source: the intersection of annuli of Merlet, Parallel
-    Robots; notebook Part2, section 4.
+    Raises InputError unless alpha is one finite number. Source: notebook Part2, section 5.
     """
     alpha = np.asarray(alpha)
     if alpha.shape != () or np.iscomplexobj(alpha) or not np.isfinite(alpha):

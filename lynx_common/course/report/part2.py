@@ -1,0 +1,100 @@
+"""Section 2.1 of the report, the 3-RRR parallel robot: its equations, and (2.13), which repeats one of them.
+
+``x_PP`` and ``y_PP`` are the coordinates of a platform joint, ``x_PB`` and ``y_PB`` those of the base joint of the
+same leg, ``theta`` and ``psi`` the angles of its two links. Lengths are in millimetres.
+"""
+
+import sympy as sp
+from sympy import cos, pi, sin
+
+from ...symbolic import DESIGN, POSE
+from . import part2_results
+from .item import Item
+from .part2_results import NOTEBOOK
+
+X_c, Y_c, alpha = POSE
+S_A, L, r_platform, *_ = DESIGN
+x_PP, y_PP, x_PB, y_PB, theta, psi, t = sp.symbols("x_PP y_PP x_PB y_PB theta psi t", real=True)
+e_1, e_2, e_3, i = sp.symbols("e_1 e_2 e_3 i", real=True)
+C, R = sp.Matrix([X_c, Y_c]), sp.Matrix([[cos(alpha), -sin(alpha)], [sin(alpha), cos(alpha)]])
+R_BC = sp.MatrixSymbol("R_BC", 2, 2)
+
+CORNER = 2 * pi * (i - 1) / 3  # of the platform, by (2.1)
+E = {e_1: -2 * y_PP * S_A, e_2: -2 * x_PP * S_A, e_3: x_PP**2 + y_PP**2 + S_A**2 - L**2}
+FROM_THE_BASE = {x_PP: x_PP - x_PB, y_PP: y_PP - y_PB}
+APART = sp.Eq(L**2, (x_PP - x_PB) ** 2 + (y_PP - y_PB) ** 2)
+FROM_THE_ELBOW = (x_PP - x_PB - S_A * cos(theta)) ** 2 + (y_PP - y_PB - S_A * sin(theta)) ** 2
+ROOT = sp.sqrt(e_1**2 - (e_3 - e_2) * (e_3 + e_2))
+LEFT_OUT = "wrong: it leaves out the base joint; "
+ORIGIN = "is counted from the base joint, not from the origin"
+
+
+def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", **facts) -> Item:
+    where = "2.2, pp. 17-19" if number == 13 else "2.1, pp. 14-17"
+    return Item(f"eq. 2.{number}", where, says, printed, NOTEBOOK, verdict, **facts)
+
+
+def _from_the_base(number: int, e: sp.Symbol, says: str) -> Item:
+    """One of (2.6) to (2.8)."""
+    right = E[e].subs(FROM_THE_BASE, simultaneous=True)
+    return _item(number, says, sp.Eq(e, E[e]), f"{LEFT_OUT}the platform joint {ORIGIN}", right=right)
+
+
+ITEMS = [
+    _item(
+        1,
+        "joint i of the platform",
+        sp.Eq(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
+        "wrong: by Table 2.2, which the numbers follow, every corner is 90 deg further round",
+        meaning={R_BC: R},
+        right=r_platform * R * sp.Matrix([cos(CORNER + pi / 2), sin(CORNER + pi / 2)]) + C,
+    ),
+    _item(2, "how the platform is turned", sp.Eq(R_BC, R)),
+    _item(
+        3,
+        "x of the platform joint, along the two links of its leg",
+        sp.Eq(x_PP, S_A * cos(theta) + L * cos(psi)),
+        f"{LEFT_OUT}its x is to be added",
+        right=x_PB + S_A * cos(theta) + L * cos(psi),
+    ),
+    _item(
+        4,
+        "y of the platform joint, along the two links of its leg",
+        sp.Eq(y_PP, S_A * sin(theta) + L * sin(psi)),
+        f"{LEFT_OUT}its y is to be added",
+        right=y_PB + S_A * sin(theta) + L * sin(psi),
+    ),
+    _item(
+        5,
+        "what is L apart: base joint and platform joint",
+        APART,
+        "wrong: elbow and platform joint are; base joint and elbow are S_A apart",
+        right=FROM_THE_ELBOW,
+    ),
+    _from_the_base(6, e_1, "factor of the sine in (2.9)"),
+    _from_the_base(7, e_2, "factor of the cosine in (2.9)"),
+    _from_the_base(8, e_3, "the term in (2.9) without theta"),
+    _item(
+        9,
+        "the closed leg as an equation for theta",
+        sp.Matrix([e_1 * sin(theta) + e_2 * cos(theta) + e_3]),
+        meaning=E,
+    ),
+    _item(10, "the same in t = tan(theta / 2)", sp.Matrix([(e_3 - e_2) * t**2 + 2 * e_1 * t + e_3 + e_2])),
+    _item(
+        11,
+        "its two roots",
+        sp.Matrix([(-e_1 + ROOT) / (e_3 - e_2), (-e_1 - ROOT) / (e_3 - e_2)]),
+        "holds, if e_3 is not e_2; there it is linear, with one root -e_3 / e_1, and the other angle is 180 deg",
+        condition={sp.Eq(e_2, e_3): sp.false},
+    ),
+    _item(12, "theta from t", sp.Eq(theta, 2 * sp.atan(t))),
+    _item(
+        13,
+        "what is L apart: base joint and platform joint",
+        APART,
+        "wrong: elbow and platform joint are, as for (2.5)",
+        right=FROM_THE_ELBOW,
+    ),
+    *part2_results.ITEMS,
+]

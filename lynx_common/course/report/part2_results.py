@@ -1,0 +1,182 @@
+"""Sections 2.1 and 2.2 of the report: tables, figures and claims; and one claim of its section 3.1."""
+
+import numpy as np
+
+from .item import Item
+
+NOTEBOOK = "Part2_parallel_robot"
+WRONG_ROBOT = (
+    "wrong: these are angles of legs that all begin at the origin; of the four poses only the first and the third "
+    "can be assembled, in the mode (1, 1, 1) at "
+)
+
+# Positions 1 to 4: X_c, Y_c in mm, alpha in degrees; then the three motor angles in degrees.
+TABLE_2_3 = np.array([[0, 100, 0], [50, 150, 30], [-50, 50, -30], [100, 200, 45]])
+DRAWN = np.array([[50, 100, 0], [50, 150, 30], [-50, 50, -30], [100, 150, 45]])
+TABLE_2_4 = np.array(
+    [
+        [110.36, -163.893, 57.613],
+        [118.073, 118.073, 72.69],
+        [130.591, -153.118, -118.985],
+        [119.024, 65.211, 51.503],
+    ]
+)
+FIG_2_2 = np.array(
+    [
+        [110.3598, -163.8932, 57.6125],
+        [118.0725, 118.0725, 72.6896],
+        [130.5913, -153.1179, -118.9854],
+        [119.0236, 65.2114, 51.5026],
+    ]
+)
+# What closes: the first and the third position of Table 2.3, and of Fig. 2.1.
+POSITION_3 = [-132.5599, 31.2654, 132.0131]
+TABLE_2_4_RIGHT = np.array([[-130.1192, 17.8457, 93.0238], POSITION_3])
+FIG_2_2_RIGHT = np.array([[-97.2250, 18.1056, 76.1906], POSITION_3])
+LOWER_LINKS = np.array(
+    [[245.03, 418.84, 183.28], [188.95, 317.80, 180.08], [285.61, 351.48, 277.60], [216.57, 246.69, 235.64]]
+)
+# Fig. 2.4, on its grid of 10 mm: least and largest X_c, least and largest Y_c, at 0, 30, 45 and 60 deg.
+EXTENTS = np.array(
+    [[-180, 180, -210, 170], [-210, 170, -180, 180], [-200, 170, -170, 200], [-180, 180, -170, 210]]
+)
+EXTENTS_RIGHT = np.array(
+    [[-150, 150, -140, 160], [-140, 110, -120, 140], [-120, 80, -100, 110], [-70, 40, -60, 60]]
+)
+
+
+def _data(
+    key: str, where: str, says: str, printed: np.ndarray, digits: int, verdict: str = "holds", **facts
+) -> Item:
+    return Item(key, where, says, printed, NOTEBOOK, verdict, digits=digits, **facts)
+
+
+def _claim(number: int, where: str, says: str, verdict: str = "holds") -> Item:
+    return Item(f"claim P2.{number}", where, says, True, NOTEBOOK, verdict)
+
+
+ITEMS = [
+    _data("Table 2.1", "2.1, pp. 14-17", "S_A, L, r_platform and r_base in mm", np.array([170, 130, 130, 290]), 3),
+    _data(
+        "Table 2.2",
+        "2.1, pp. 14-17",
+        "angles of the joints of base (first row) and platform",
+        np.array([[3, 7, 11]] * 2) * np.pi / 6,
+        9,
+    ),
+    _data(
+        "Table 2.3",
+        "2.1, pp. 14-17",
+        "positions 1 to 4 of the platform: X_c, Y_c in mm, alpha in deg",
+        TABLE_2_3,
+        1,
+        "wrong: the angles and the figures belong to (50, 100, 0) and (100, 150, 45) at positions 1 and 4",
+        right=DRAWN,
+    ),
+    _data(
+        "Table 2.4",
+        "2.1, p. 17",
+        "motor angles in deg for the positions of Table 2.3",
+        TABLE_2_4,
+        3,
+        f"{WRONG_ROBOT}-130.119, 17.846, 93.024 and -132.560, 31.265, 132.013 deg",
+        right=TABLE_2_4_RIGHT.round(3),
+    ),
+    _data(
+        "Fig. 2.1",
+        "2.1, pp. 14-17",
+        "the robot in four positions, each with three lower links of 130 mm",
+        np.full((4, 3), 130.0),
+        2,
+        "wrong: the lower links as drawn measure 180.08 to 418.84 mm, none 130",
+        right=LOWER_LINKS,
+    ),
+    _data(
+        "Fig. 2.2",
+        "2.1, pp. 14-17",
+        "motor angles in deg for the positions of Fig. 2.1",
+        FIG_2_2,
+        4,
+        f"{WRONG_ROBOT}-97.2250, 18.1056, 76.1906 and -132.5599, 31.2654, 132.0131 deg",
+        right=FIG_2_2_RIGHT,
+    ),
+    _data(
+        "Fig. 2.3",
+        "2.2, pp. 17-19",
+        "13 layers of workspace, from 0 to 60 deg by 5, each as large as the first",
+        np.ones(13),
+        2,
+        "wrong: they shrink; the last has 0.17 times the area of the first",
+        right=np.array([1, 0.99, 0.98, 0.95, 0.9, 0.84, 0.77, 0.66, 0.55, 0.44, 0.33, 0.24, 0.17]),
+    ),
+    _data(
+        "Fig. 2.4",
+        "2.2, pp. 17-19",
+        "workspace at 0, 30, 45 and 60 deg: least and largest X_c and Y_c on a grid of 10 mm",
+        EXTENTS,
+        0,
+        "wrong: at 0 deg it is -150 to 150 and -140 to 160 mm, at 60 deg -70 to 40 and -60 to 60 mm",
+        right=EXTENTS_RIGHT,
+    ),
+    _claim(
+        1,
+        "2.1, p. 17",
+        "Table 2.4 gives the angles to three decimals",
+        "wrong: those of Fig. 2.2, which have four, were rounded a second time; so three are 0.001 deg too large",
+    ),
+    _claim(
+        2,
+        "2.1, p. 17",
+        "the robot adapts to all four positions",
+        "wrong: at positions 2 and 4 it cannot be assembled, whichever poses are meant",
+    ),
+    _claim(
+        3,
+        "2.1, p. 17",
+        "the configurations are feasible",
+        "wrong: no leg of the twelve closes; the gaps are 50 to 289 mm",
+    ),
+    _claim(
+        4,
+        "2.1, p. 17",
+        "the configurations are smooth from one position to the next",
+        "wrong: leg 3 changes sides from position 2 to 3, and back",
+    ),
+    _claim(
+        5,
+        "2.1, p. 17",
+        "the pictures confirm the kinematic model",
+        "wrong: a line is drawn from elbow to platform joint, however long; its length refutes the model",
+    ),
+    _claim(6, "2.2, pp. 17-19", "the discriminant of the quadratic decides whether a leg can close"),
+    _claim(
+        7,
+        "2.2, pp. 17-19",
+        "the workspace has voids inside",
+        "wrong: none at any alpha; the circles bite off its corners, up to 34.06 deg, and beyond miss it",
+    ),
+    _claim(
+        8,
+        "2.2, pp. 17-19",
+        "the voids correspond to singular configurations",
+        "wrong: within a circle there is no configuration; singular is its edge alone, where the leg is folded",
+    ),
+    _claim(
+        9,
+        "2.2, pp. 17-19",
+        "with alpha the workspace shifts",
+        "wrong: it shrinks towards the centre, where its centroid stays; as printed it turns about it",
+    ),
+    _claim(
+        10,
+        "2.2, pp. 17-19",
+        "with alpha its shape alters slightly",
+        "wrong: its area falls to a sixth from 0 to 60 deg, and to nothing at 81.61 deg",
+    ),
+    _claim(
+        11,
+        "3.1, p. 20",
+        "at a singularity a robot loses freedom",
+        "wrong: at one of type 2 (det A = 0) the platform of a parallel robot gains a freedom",
+    ),
+]

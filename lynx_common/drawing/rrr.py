@@ -1,0 +1,109 @@
+"""The planar 3-RRR robot: base, platform and three legs, in mm; a leg that does not close shows its gap."""
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
+
+from .. import rrr
+from .style import COLOURS
+
+# What is drawn, from back to front, and how.
+STYLES = {
+    "base": {"color": COLOURS["link"], "linestyle": "-", "marker": "s", "markersize": 9, "linewidth": 1.5},
+    "gap": {"color": COLOURS["printed"], "linestyle": "--", "linewidth": 2},
+    "distal link $L$": {"color": COLOURS["y"], "linestyle": "-", "marker": "o"},
+    "driven link $S_A$": {"color": COLOURS["z"], "linestyle": "-", "marker": "o"},
+    "platform": {"color": COLOURS["x"], "linestyle": "-", "marker": "o"},
+    "needle": {"color": COLOURS["target"], "linestyle": "", "marker": "*", "markersize": 11},
+}
+# A gap below this share of L is one of rounding.
+CLOSED = 1e-6
+OUTLINE = [withStroke(linewidth=3, foreground="white")]
+
+
+def rrr_2d(
+    ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR, **style
+) -> list[Artist]:
+    """The robot at ``pose`` (X_c, Y_c in mm, alpha in rad) with motor angles ``theta``, (3,); returns its artists.
+
+    All links are drawn at their lengths. Where the distal one, pointing at its platform joint, ends elsewhere, the
+    gap (short or beyond) is dashed, with its length. A leg whose angle is NaN is drawn stretched towards its
+    platform joint, or folded, whichever comes nearer. ``style`` goes to all lines; ``ax.legend()`` names them.
+    """
+    artists = [
+        ax.plot([], [], **{"markersize": 5, "label": name} | own | style)[0] for name, own in STYLES.items()
+    ]
+    place = {"color": COLOURS["printed"], "ha": "center", "va": "center", "path_effects": OUTLINE, "zorder": 6}
+    artists += [ax.text(0, 0, "", **place) for _ in range(3)]
+    move_rrr(artists, pose, theta, geometry)
+    ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
+    ax.relim()
+    return artists
+
+
+def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
+    """Bring a drawn robot to another pose and other motor angles."""
+    PB, M, ends, PP = joints(pose, theta, geometry)
+    gaps = np.linalg.norm(PP - ends, axis=1)
+    is_open = gaps > CLOSED * geometry.L
+    lines = {
+        "base": PB[[0, 1, 2, 0]],
+        "gap": _segments(np.where(is_open[:, None], ends, np.nan), PP),
+        "distal link $L$": _segments(M, ends),
+        "driven link $S_A$": _segments(PB, M),
+        "platform": PP[[0, 1, 2, 0]],
+        "needle": np.reshape(pose, (1, 3))[:, :2],
+    }
+    for line, name in zip(artists, STYLES, strict=False):
+        line.set_data(*lines[name].T)
+    middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
+    beside *= np.where((beside * (middle - lines["needle"])).sum(axis=1) < 0, -1, 1)[
+        :, None
+    ]  # away from the needle
+    places = middle + geometry.r_platform / 3 * beside
+    for text, place, gap, shown in zip(artists[len(STYLES) :], places, gaps, is_open, strict=True):
+        text.set(position=place, text=f"{gap:.1f} mm" if shown else "")
+
+
+def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
+    """Write the names of all joints, and of the needle C, beside them."""
+    PB, M, _, PP = joints(pose, theta, geometry)
+    middle = np.mean(PB, axis=0)
+    for name, points in (("PB", PB), ("M", M), ("PP", PP)):
+        for leg, point in enumerate(points, start=1):
+            away = (point - middle) / np.linalg.norm(point - middle)
+            _write(ax, f"${name}_{leg}$", point, 14 * away)
+    _write(ax, "$C$", np.asarray(pose)[:2], np.array([10, 8]))
+
+
+def joints(
+    pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Base joints, elbows, free ends of the distal links, and platform joints, (3, 2) each."""
+    PB, PP = rrr.base_joints(geometry), rrr.platform_joints(pose, geometry)
+    M = rrr.elbows(np.where(np.isnan(theta), _reaching(PB, PP, geometry), theta), geometry)
+    return PB, M, M + geometry.L * _unit(PP - M), PP
+
+
+def _reaching(PB: np.ndarray, PP: np.ndarray, geometry: rrr.Geometry) -> np.ndarray:
+    """Motor angles with which legs that cannot close come nearest to their platform joints."""
+    away = PP - PB
+    towards = np.arctan2(away[:, 1], away[:, 0])
+    backwards = (geometry.S_A < geometry.L) & (np.hypot(*away.T) < geometry.L)
+    return towards + np.pi * backwards
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    angle = np.arctan2(vectors[:, 1], vectors[:, 0])  # which the zero vector has, too
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def _segments(start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Three segments as one polyline, (9, 2), broken by NaN."""
+    return np.stack([start, end, np.full_like(start, np.nan)], axis=1).reshape(-1, 2)
+
+
+def _write(ax: Axes, text: str, point: np.ndarray, offset: np.ndarray) -> None:
+    label = ax.annotate(text, point, xytext=offset, textcoords="offset points", ha="center", va="center")
+    label.set_path_effects(OUTLINE)

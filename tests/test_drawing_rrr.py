@@ -1,0 +1,138 @@
+"""The picture of the 3-RRR robot shows links at their lengths, and gaps where a leg does not close."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from lynx_common import drawing, rrr
+from lynx_common.drawing.rrr import STYLES
+
+OTHER = rrr.Geometry(90.0, 140.0, 60.0, 200.0, base_angles=(0.1, 2.0, 4.5), platform_angles=(0.3, 2.2, 4.0))
+POSE, MODE = np.array([20.0, 30.0, 0.3]), 5
+
+
+@pytest.fixture
+def ax():
+    fig, ax = plt.subplots()
+    yield ax
+    plt.close(fig)
+
+
+def lines_of(artists):
+    """Points of each line by name; legs as (3, 2, 2): leg, end, coordinate."""
+    lines = dict(zip(STYLES, (np.transpose(line.get_data()) for line in artists), strict=False))
+    return {name: line.reshape(3, 3, 2)[:, :2] if len(line) == 9 else line for name, line in lines.items()}
+
+
+def gaps_of(artists):
+    return [text.get_text() for text in artists[len(STYLES) :]]
+
+
+def poses(rng, n=60):
+    """Poses of which about half can be assembled."""
+    return rng.uniform([-150, -150, -2], [150, 150, 2], (n, 3))
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])
+def test_links_have_their_lengths_whether_legs_close_or_not(geometry, ax, rng):
+    for pose in poses(rng):
+        theta = rrr.inverse_kinematics(pose, geometry)[rng.integers(8)]
+        lines = lines_of(drawing.rrr_2d(ax, pose, theta, geometry))
+        driven, distal = lines["driven link $S_A$"], lines["distal link $L$"]
+        np.testing.assert_allclose(np.linalg.norm(np.diff(driven, axis=1), axis=-1)[:, 0], geometry.S_A)
+        np.testing.assert_allclose(np.linalg.norm(np.diff(distal, axis=1), axis=-1)[:, 0], geometry.L)
+        np.testing.assert_allclose(driven[:, 0], rrr.base_joints(geometry))
+        np.testing.assert_allclose(driven[:, 1], distal[:, 0])
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])
+def test_a_leg_ends_at_its_platform_joint_or_as_near_as_it_can(geometry, ax, rng):
+    open_legs = 0
+    nearest, farthest = abs(geometry.S_A - geometry.L), geometry.S_A + geometry.L
+    for pose in poses(rng):
+        theta = rrr.inverse_kinematics(pose, geometry)[0]
+        artists = drawing.rrr_2d(ax, pose, theta, geometry)
+        ends, PP = lines_of(artists)["distal link $L$"][:, 1], rrr.platform_joints(pose, geometry)
+        span = np.linalg.norm(PP - rrr.base_joints(geometry), axis=1)
+        missing = np.maximum(nearest - span, 0) + np.maximum(span - farthest, 0)
+        np.testing.assert_allclose(np.linalg.norm(PP - ends, axis=1), missing, atol=1e-9)
+        assert gaps_of(artists) == [f"{gap:.1f} mm" if gap else "" for gap in missing]
+        open_legs += np.count_nonzero(missing)
+    assert open_legs > 20
+
+
+def test_elbows_bend_as_the_working_mode_says(ax):
+    for signs, theta in zip(rrr.WORKING_MODES, rrr.inverse_kinematics(POSE), strict=True):
+        lines = lines_of(drawing.rrr_2d(ax, POSE, theta))
+        (ux, uy), (vx, vy) = (np.diff(lines[n], axis=1)[:, 0].T for n in ("driven link $S_A$", "distal link $L$"))
+        assert tuple(np.sign(ux * vy - uy * vx)) == signs
+
+
+def test_angles_of_another_pose_leave_gaps_that_are_drawn_and_measured(ax):
+    theta = rrr.inverse_kinematics(POSE)[MODE] + [0, 0.5, -0.9]
+    artists = drawing.rrr_2d(ax, POSE, theta)
+    lines, M, PP = lines_of(artists), rrr.elbows(theta), rrr.platform_joints(POSE)
+    np.testing.assert_allclose(lines["driven link $S_A$"][:, 1], M)
+    apart = np.linalg.norm(PP - M, axis=1)
+    assert gaps_of(artists) == ["", *(f"{gap:.1f} mm" for gap in abs(apart - rrr.RRR.L)[1:])]
+    assert min(abs(apart - rrr.RRR.L)[1:]) > 1
+    gaps = lines["gap"]
+    assert np.isnan(gaps[0]).any()
+    np.testing.assert_allclose(gaps[1:, 1], PP[1:])
+    np.testing.assert_allclose(gaps[1:, 0], lines["distal link $L$"][1:, 1])
+    beside = [text.get_position() for text in artists[len(STYLES) + 1 :]]
+    offset = beside - gaps[1:].mean(axis=1)
+    np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 3)
+    np.testing.assert_allclose((offset * np.diff(gaps[1:], axis=1)[:, 0]).sum(axis=1), 0, atol=1e-9)
+    away_from_the_needle = np.linalg.norm(beside - POSE[:2], axis=1)
+    assert (away_from_the_needle > np.linalg.norm(gaps[1:].mean(axis=1) - POSE[:2], axis=1)).all()
+
+
+def test_base_platform_and_needle_are_where_the_robot_has_them(ax):
+    lines = lines_of(drawing.rrr_2d(ax, POSE, rrr.inverse_kinematics(POSE)[MODE]))
+    np.testing.assert_allclose(lines["base"], rrr.base_joints()[[0, 1, 2, 0]])
+    np.testing.assert_allclose(lines["platform"], rrr.platform_joints(POSE)[[0, 1, 2, 0]])
+    np.testing.assert_allclose(lines["needle"], [POSE[:2]])
+    assert ax.get_aspect() == 1
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("X [mm]", "Y [mm]")
+    seen = np.vstack([rrr.base_joints(), rrr.elbows(rrr.inverse_kinematics(POSE)[MODE])])
+    for limits, values in zip((ax.get_xlim(), ax.get_ylim()), seen.T, strict=True):
+        assert limits[0] < values.min()
+        assert limits[1] > values.max()
+
+
+def test_each_part_has_its_colour_and_its_name(ax):
+    artists = drawing.rrr_2d(ax, POSE, rrr.inverse_kinematics(POSE)[MODE], alpha=0.4)[: len(STYLES)]
+    assert [line.get_label() for line in artists] == list(STYLES)
+    assert len({line.get_color() for line in artists}) == len(STYLES)
+    assert {line.get_color() for line in artists} <= set(drawing.COLOURS.values())
+    assert {line.get_alpha() for line in artists} == {0.4}
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])
+def test_moving_is_drawing_anew(geometry, ax, rng):
+    moved = drawing.rrr_2d(ax, POSE, rrr.inverse_kinematics(POSE, geometry)[MODE], geometry)
+    for pose in poses(rng, 10):
+        theta = rrr.inverse_kinematics(pose, geometry)[2]
+        drawing.move_rrr(moved, pose, theta, geometry)
+        fresh = drawing.rrr_2d(ax, pose, theta, geometry)
+        assert gaps_of(moved) == gaps_of(fresh)
+        for a, b in zip(moved[: len(STYLES)], fresh, strict=False):
+            np.testing.assert_array_equal(a.get_data(), b.get_data())
+
+
+def test_a_platform_joint_on_its_base_joint_is_drawn_folded(ax):
+    pose = [*(rrr.base_joints()[0] - rrr.platform_joints([0, 0, 0])[0]), 0]
+    artists = drawing.rrr_2d(ax, pose, rrr.inverse_kinematics(pose)[0])
+    assert gaps_of(artists)[0] == "40.0 mm"
+    assert np.isfinite(lines_of(artists)["distal link $L$"]).all()
+
+
+def test_names_stand_at_the_joints(ax):
+    theta = rrr.inverse_kinematics(POSE)[MODE]
+    drawing.label_rrr(ax, POSE, theta)
+    names = {text.get_text(): text.xy for text in ax.texts}
+    for name, points in (("PB", rrr.base_joints()), ("M", rrr.elbows(theta)), ("PP", rrr.platform_joints(POSE))):
+        np.testing.assert_allclose([names[f"${name}_{i}$"] for i in (1, 2, 3)], points)
+    np.testing.assert_allclose(names["$C$"], POSE[:2])
+    assert len(names) == 10

@@ -19,12 +19,9 @@ def player(
     still: list[np.ndarray] | None = None,
     moving: np.ndarray | None = None,
     seconds: float = 6,
-<<<<<<< HEAD
-    radius: float = 0.0,
-=======
     from_above: bool = False,
     title: str = "The arm in motion",
->>>>>>> main
+    radius: float = 0.0,
 ) -> HTML:
     """A player with a play button, a slider for the time, and a view that is turned by dragging.
 
@@ -37,13 +34,9 @@ def player(
     still : arrays, shape (m, 3)
         Lines that do not move: belts, a planned path.
     moving : array, shape (n, j, 3)
-<<<<<<< HEAD
         Items that are drawn as squares; as balls where ``radius``, in metres, is not 0.
-=======
-        Items that are drawn as squares.
     from_above : whether the view opens against z, x to the right and y up, for a robot in the plane
     title : what a reader hears who cannot see it
->>>>>>> main
 
     Raises InputError where a number is not finite, the shapes do not match or the radius is negative.
     """

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from lynx_common import arm, dh, workspace
+from lynx_common import arm, dh, screws, workspace
 from lynx_common.course import exercises
 from lynx_common.course.exercises import a2, b1, b2, b3, part3
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
@@ -59,6 +59,7 @@ RIGHT = {
     "B3.3": [2.06, [2.064], b3.SHORTEST],
     "P3.1": [[2, 2, 1, 1, 3], np.array([2, 2, 1, 1, 3]), sp.Matrix([2, 2, 1, 1, 3]), [2.0, 2, 1, 1, 3]],
     "P3.2": [1.231, [1.23096], 2 * sp.asin(1 / sp.sqrt(3)), sp.acos(sp.Rational(1, 3))],
+    "P3.4": [[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, -2.5, 0], sp.Matrix([0, 0, 0, 3, 4, 0]), [[0, 0, 0, 0.6, 0.8, 0]]],
     "P3.3": [0.7227, [0.72273], sp.acos(sp.Rational(3, 4))],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
@@ -240,6 +241,16 @@ WRONG = {
         (pi - part3.LEAN, "the least lean"),
         (0.8, "0.0773 rad too much"),
     ],
+    "P3.4": [
+        (..., "not attempted"),
+        ([0] * 6, "a wrench of zeros"),
+        ([0, 0, 1, 0, 0, 0], "the slide can move along z"),
+        ([0, 0, 0, 0, 0, 1], "turn its tool about z"),
+        ([0, 0, 0, 1, 0, 1], "turn its tool about z"),
+        ([1, 0, 0, 0, 0, 0], "The force comes first"),
+        ([0, 1, 0, 1, 0, 0], "a level force"),
+        ([1, 0, 0], "shape (3,), where (6,) is expected"),
+    ],
     "A3.1": [
         (..., "not attempted"),
         ([0.25, 0, 0.05], "the gripper, not the wrist"),
@@ -347,7 +358,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
     namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
-    namespace |= dict(workspace=workspace, x=x, y=y, z=z)
+    namespace |= dict(workspace=workspace, screws=screws, x=x, y=y, z=z)
     namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)

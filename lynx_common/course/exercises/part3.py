@@ -1,4 +1,4 @@
-"""Exercises of Part 3: what each factor costs, where the determinant is largest, and a wrist of three axes."""
+"""Exercises of Part 3: ranks, the largest determinant, a wrist of three axes, what a structure carries."""
 
 from collections.abc import Callable
 
@@ -38,6 +38,16 @@ def _near(value: float, tolerance: float = 5 * TOLERANCE) -> Callable[[float], b
 
 def _is(expected: np.ndarray) -> Callable[[np.ndarray], bool]:
     return lambda x: bool((x == expected).all())
+
+
+def _carried(wrench: np.ndarray) -> bool:
+    """Whether a wrench (f, m) loads no motor of a SCARA arm: a couple about a level axis, and not zero."""
+    return bool(np.abs(wrench[[0, 1, 2, 5]]).max() <= TOLERANCE < np.abs(wrench[3:5]).max())
+
+
+def _holds(*places: int) -> Callable[[np.ndarray], bool]:
+    """Whether one of these entries is not zero."""
+    return lambda x: bool(np.abs(x[list(places)]).max() > TOLERANCE)
 
 
 EXERCISES = {
@@ -117,5 +127,30 @@ EXERCISES = {
         "It is 0.5 at $\\cos\\beta = 0.75$: $\\beta = 0.7227$ rad, 41.4°. "
         "The determinant there is $\\sin\\beta = 0.66$.",
         code="answer_3 = np.arccos(1 - 0.5**2)",
+    ),
+    "P3.4": Exercise(
+        read=numbers((6,)),
+        right=_carried,
+        misconceptions=(
+            (_holds(2), "the slide can move along z, so its motor has to hold a force along z."),
+            (_holds(5), "the arm can turn its tool about z, so a motor has to hold a moment about z."),
+            (
+                _holds(0, 1),
+                "the arm can move its tool level, so motors have to hold a level force. Or did you write the "
+                "moment first? The force comes first.",
+            ),
+        ),
+        describe=lambda x: "every arm carries a wrench of zeros; another one is asked for.",
+        hints=(
+            "Which motions can the four joints make together? Three parallel axes make a plane motion.",
+            "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z.",
+        ),
+        explanation="Three vertical axes move the tool in the level plane and turn it about the vertical; the "
+        "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and $f \\cdot v + m \\cdot "
+        "\\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are couples about level axes, "
+        "$(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the tool over.",
+        code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
+        "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
+        "answer_4 = screws.reciprocal_system(twists)[:, 0]",
     ),
 }

@@ -146,9 +146,9 @@ EXERCISES = {
             "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z.",
         ),
         explanation="Three vertical axes move the tool in the level plane and turn it about the vertical; the "
-        "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and $f \\cdot v + m \\cdot "
-        "\\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are couples about level axes, "
-        "$(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the tool over.",
+        "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and "
+        "$f \\cdot v + m \\cdot \\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are "
+        "couples about level axes, $(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the tool over.",
         code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
         "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
         "answer_4 = screws.reciprocal_system(twists)[:, 0]",

@@ -19,7 +19,8 @@ def order(system: np.ndarray, length: float = 1.0) -> np.ndarray:
     """Number of independent twists among the columns: (..., 6, n) to integers (...).
 
     ``length`` makes v and omega comparable: v is divided by it. It decides only whether a small singular value
-    (RANK_TOLERANCE) is zero; take about the size of the robot.
+    (RANK_TOLERANCE) is zero; take about the size of the robot. Of wrenches it counts the independent ones; there
+    take the inverse of the length.
     """
     values = np.linalg.svd(_scaled(system, length), compute_uv=False)
     largest = values.max(axis=-1, keepdims=True, initial=0.0)

@@ -245,6 +245,7 @@ WRONG = {
         (..., "not attempted"),
         ([0] * 6, "a wrench of zeros"),
         ([0, 0, 1, 0, 0, 0], "the slide can move along z"),
+        ([0, 0, 1, 1, 0, 0], "the slide can move along z"),
         ([0, 0, 0, 0, 0, 1], "turn its tool about z"),
         ([0, 0, 0, 1, 0, 1], "turn its tool about z"),
         ([1, 0, 0, 0, 0, 0], "The force comes first"),

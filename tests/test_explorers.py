@@ -295,3 +295,29 @@ def test_singularity_of_another_arm_is_that_of_its_wrist():
     assert row(words, "singular") == "elbow"
     sliders[0].value = 90
     assert row(words, "singular") == "shoulder, elbow"
+
+
+def middle(image: widgets.Image, colour: tuple[int, int, int], left: bool) -> np.ndarray:
+    """Where the pixels of a colour are in one half of the picture, on average: to the right, and up."""
+    picture = pixels({"image": image}).astype(int)
+    half = slice(0, picture.shape[1] // 2) if left else slice(picture.shape[1] // 2, None)
+    down, right = np.nonzero(abs(picture[:, half, :3] - colour).max(axis=-1) < 3)
+    assert right.size > 20
+    return np.array([right.mean(), -down.mean()])
+
+
+def test_singularity_moves_the_point_on_the_map_the_arm_and_the_ellipse():
+    sliders, _, image = parts(explorers.singularity_explorer())
+    orange, grey = (230, 159, 0), (77, 77, 77)
+    sliders[0].value, sliders[1].value = 0, 60
+    point, ellipse, links = middle(image, orange, True), middle(image, orange, False), middle(image, grey, False)
+    sliders[0].value = 60  # theta_2 is to the right on the map; the arm rises
+    right, _ = middle(image, orange, True) - point
+    assert right > 30
+    assert middle(image, orange, False)[1] > ellipse[1] + 30
+    assert middle(image, grey, False)[1] > links[1] + 20
+    point = middle(image, orange, True)
+    sliders[1].value = 120
+    across, up = middle(image, orange, True) - point
+    assert abs(across) < 3
+    assert up > 30

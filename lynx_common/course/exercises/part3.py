@@ -28,7 +28,7 @@ BEND = 2 * float(np.arcsin(1 / np.sqrt(3)))
 ROUNDEST = 2 * np.pi / 3  # where the smallest singular value of shoulder and elbow is largest
 
 # P3.3: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
-LEAST = 0.5
+LEAST = 0.6
 LEAN = float(np.arccos(1 - LEAST**2))
 
 
@@ -108,9 +108,12 @@ EXERCISES = {
             (_near(float(np.rad2deg(LEAN)), 0.05), "this is right in degrees; radians are expected."),
             (
                 _near(float(np.arcsin(LEAST))),
-                "this makes the determinant 0.5; it is not the smallest singular value.",
+                "this makes the determinant 0.6; it is not the smallest singular value.",
             ),
-            (_near(float(np.arccos(LEAST))), "this takes 1 - cos(beta) for the value; its square root is meant."),
+            (
+                _near(float(np.arccos(1 - LEAST))),
+                "this takes 1 - cos(beta) for the value; its square root is meant.",
+            ),
             (
                 _near(np.pi - LEAN),
                 "here the third axis is as near to the first, turned over; the least lean is asked.",
@@ -124,9 +127,9 @@ EXERCISES = {
         explanation="The columns are $z$, $y$ and $(\\sin\\beta, 0, \\cos\\beta)$. The second is square to the "
         "others and has the singular value 1. The other two have $J^T J$ with eigenvalues $1 \\pm \\cos\\beta$, "
         "so the smallest singular value is $\\sqrt{1 - \\cos\\beta}$. "
-        "It is 0.5 at $\\cos\\beta = 0.75$: $\\beta = 0.7227$ rad, 41.4°. "
-        "The determinant there is $\\sin\\beta = 0.66$.",
-        code="answer_3 = np.arccos(1 - 0.5**2)",
+        "It is 0.6 at $\\cos\\beta = 0.64$: $\\beta = 0.8763$ rad, 50.2°. "
+        "The determinant there is $\\sin\\beta = 0.77$.",
+        code="answer_3 = np.arccos(1 - 0.6**2)",
     ),
     "P3.4": Exercise(
         read=numbers((6,)),

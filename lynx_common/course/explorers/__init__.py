@@ -8,6 +8,7 @@ from .arm import arm_explorer
 from .detour import detour_explorer
 from .limits import limits_explorer
 from .motion import motion_explorer
+from .parallel import parallel_explorer
 from .reach import reach_explorer
 from .singularity import singularity_explorer
 
@@ -16,6 +17,7 @@ __all__ = [
     "detour_explorer",
     "limits_explorer",
     "motion_explorer",
+    "parallel_explorer",
     "reach_explorer",
     "singularity_explorer",
 ]

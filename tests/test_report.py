@@ -51,6 +51,13 @@ def test_every_numbered_item_of_the_report_is_there():
     assert {key for key in report.LEDGER if not key.startswith("claim")} == keys
 
 
+def test_section_2_is_complete():
+    keys = {f"eq. 2.{i}" for i in range(1, 14)} | {
+        f"{kind} 2.{i}" for kind in ("Table", "Fig.") for i in range(1, 5)
+    }
+    assert keys <= report.LEDGER.keys()
+
+
 @pytest.mark.parametrize("key", report.LEDGER)
 def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
     item = report.LEDGER[key]

@@ -12,6 +12,7 @@ from .motion import motion_explorer
 from .pages import arm_page, reach_page, rrr_page
 from .parallel import parallel_explorer
 from .reach import reach_explorer
+from .singularity import singularity_explorer
 
 __all__ = [
     "arm_explorer",
@@ -23,4 +24,5 @@ __all__ = [
     "reach_explorer",
     "reach_page",
     "rrr_page",
+    "singularity_explorer",
 ]

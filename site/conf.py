@@ -50,10 +50,13 @@ def prepare(app, docname, source):
 
 
 def anchor(app, doctree):
-    """Links lead to the very cell."""
+    """Let links lead to the very cell."""
+    places = app.env.metadata[app.env.docname].setdefault("myst_slugs", {})
     for node in doctree.findall(nodes.container):
         if node.get("nb_element") == "cell_code":
-            node["ids"].append(node["cell_metadata"]["anchor"])
+            name = node["cell_metadata"]["anchor"]
+            node["ids"].append(name)
+            places[name] = None, name, ""
 
 
 def setup(app):

@@ -188,15 +188,23 @@ def test_what_no_vector_lists_is_refused():
         javascript([X + Y * A], (X,))
 
 
-@pytest.mark.parametrize("name", ["theta'", "2x", "part0", "x;alert(1)", "θ"])
+@pytest.mark.parametrize("name", ["theta'", "2x", "part0", "x;alert(1)", "θ", "var", "Math"])
 def test_a_name_that_is_none_in_javascript_is_refused(name):
     with pytest.raises(InputError, match="JavaScript"):
         javascript([sp.Symbol(name)], (sp.Symbol(name),))
 
 
-def test_quotes_in_a_title_end_nothing():
-    shown = page([], [Slider(X, "x", 0, 1, 0)], [Words("{}", [X])], {}, 'a "title" <b>', 100)
+def test_neither_a_title_nor_a_text_ends_the_page():
+    shown = page([], [Slider(X, "x", 0, 1, 0)], [Words("</script>{}", [X])], {}, 'a "title" <b>', 100)
+    assert source(shown).count("</script>") == 1
+    assert facts(shown)["words"][0]["text"] == "</script>{}"
     assert 'title="a &quot;title&quot; &lt;b&gt;"' in shown.data
+
+
+@pytest.mark.parametrize("name", ["variable", "party", "part", "inside", "mathematics"])
+def test_a_name_that_only_begins_like_one_will_do(name):
+    symbol = sp.Symbol(name)
+    assert javascript([symbol + 1], (symbol,)) == f"([{name}]) => {{ return [{name} + 1]; }}"
 
 
 PAGES = [the_arm, the_reach, rrr_page]

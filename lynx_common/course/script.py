@@ -13,7 +13,12 @@ from IPython.display import HTML
 from ..errors import InputError
 
 PAGE = Path(__file__).with_name("script.html").read_text(encoding="utf-8")
-NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
+KEPT = (
+    "await|break|case|catch|class|const|continue|debugger|default|delete|do|else|enum|export|extends|false|finally"
+    "|for|function|if|import|in|instanceof|let|new|null|return|static|super|switch|this|throw|true|try|typeof|var"
+    "|void|while|with|yield|Math|part\\d+"  # by JavaScript, and by what is written here
+)
+NAME = re.compile(rf"(?!(?:{KEPT})$)[A-Za-z]\w*", re.ASCII)
 ALWAYS = sp.Integer(1)
 
 
@@ -75,7 +80,7 @@ def javascript(entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol]) -> str
     names = sorted(str(s) for s in sp.Tuple(*entries).free_symbols.difference(symbols))
     if names:
         raise InputError(f"The expressions also hold {', '.join(names)}, which no vector lists.")
-    if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s)) or str(s).startswith("part")]:
+    if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s))]:
         raise InputError(f"{', '.join(unfit)} cannot be the name of a variable in JavaScript.")
     parts, (results, *_) = sp.cse([sp.Matrix(entries)], symbols=sp.numbered_symbols("part", real=True))
     steps = "".join(f"const {name} = {sp.jscode(part)}; " for name, part in parts)
@@ -110,7 +115,8 @@ def page(
         "fixed": [float(value) for value in fixed.values()],
     }
     compute = javascript(entries, [slider.symbol for slider in sliders], list(fixed))
-    text = PAGE.replace("FACTS", json.dumps(facts, ensure_ascii=False)).replace("COMPUTE", compute)
+    data = json.dumps(facts, ensure_ascii=False).replace("</", "<\\/")  # no text ends the script
+    text = PAGE.replace("FACTS", data).replace("COMPUTE", compute)
     return HTML(
         f'<div><iframe srcdoc="{html.escape(text)}" title="{html.escape(title)}" '
         f'style="width:100%;max-width:700px;height:{height}px;border:0"></iframe></div>'

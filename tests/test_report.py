@@ -143,12 +143,12 @@ def test_a_verdict_without_what_makes_it_one_cannot_be_recorded(verdict, lacks):
         Item("eq. 9.9", printed=x, **HOLDS | {"verdict": verdict, "because": "it is"})
 
 
-@pytest.mark.parametrize("verdict", ["holds, if y = 0", "wrong: so"])
-def test_an_item_that_does_not_hold_says_why(verdict):
+@pytest.mark.parametrize(("verdict", "kind"), [("holds, if y = 0", "holds, if"), ("wrong: so", "wrong")])
+def test_an_item_that_does_not_hold_says_why(verdict, kind):
     facts = HOLDS | {"verdict": verdict, "printed": x, "condition": {y: sp.Integer(0)}, "right": y}
     with pytest.raises(ValueError, match=r"eq. 9.9: .* says why"):
         Item("eq. 9.9", **facts)
-    assert Item("eq. 9.9", because="at y = 1 it is another", **facts).kind == verdict.split(":")[0].split(" y")[0]
+    assert Item("eq. 9.9", because="at y = 1 it is another", **facts).kind == kind
 
 
 @pytest.mark.parametrize("key", [key for key, item in report.LEDGER.items() if item.because])

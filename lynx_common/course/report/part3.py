@@ -49,7 +49,7 @@ ITEMS = [
         sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
         NOTEBOOK,
         "holds, if z_i and p_i belong to the axis that joint i turns about: in Table 3.1 that of frame i - 1",
-        "the axis of frame i is that of the next joint, and with it the columns are not the derivative",
+        "the axis of frame i is that of the next joint, and with it the columns are not the position's derivative",
         condition=FRAME_I,
     ),
     Item(

@@ -17,6 +17,7 @@ from lynx_common.errors import InputError, LedgerError, UnknownNameError
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 HOLDS = {"where": "1.1", "says": "so", "notebook": "A1_forward_kinematics", "verdict": "holds"}
+WRONG = {"verdict": "wrong: the sign is +", "because": "at x = 0 it is 1"}
 x, y = sp.symbols("x y", real=True)
 
 
@@ -76,7 +77,7 @@ def test_a_flipped_verdict_is_refused(key, checked, monkeypatch):
     others = {"holds": "holds", "holds, if": "holds, if so", "wrong": "wrong: not so"}
     del others[item.kind]
     for verdict in others.values():
-        flipped = replace(item, verdict=verdict, condition={x: y}, right=item.value)
+        flipped = replace(item, verdict=verdict, because="it is", condition={x: y}, right=item.value)
         monkeypatch.setitem(report.LEDGER, key, flipped)
         with pytest.raises(LedgerError):
             report.check(key, derived)
@@ -115,7 +116,7 @@ def test_expressions_are_compared_by_what_they_mean():
 
 
 def test_a_wrong_item_passes_only_with_what_is_recorded_as_right(monkeypatch):
-    item = Item("eq. 9.9", printed=sp.Eq(y, x - 1), right=x + 1, **HOLDS | {"verdict": "wrong: the sign is +"})
+    item = Item("eq. 9.9", printed=sp.Eq(y, x - 1), right=x + 1, **HOLDS | WRONG)
     monkeypatch.setitem(report.LEDGER, item.key, item)
     report.check("eq. 9.9", 1 + x)
     for derived in (x - 1, x + 2):
@@ -124,7 +125,8 @@ def test_a_wrong_item_passes_only_with_what_is_recorded_as_right(monkeypatch):
 
 
 def test_a_conditional_item_passes_only_where_the_condition_is_needed_and_enough(monkeypatch):
-    item = Item("eq. 9.9", printed=x, condition={y: sp.Integer(0)}, **HOLDS | {"verdict": "holds, if y = 0"})
+    verdict = {"verdict": "holds, if y = 0", "because": "at y = 1 it is x + 1"}
+    item = Item("eq. 9.9", printed=x, condition={y: sp.Integer(0)}, **HOLDS | verdict)
     monkeypatch.setitem(report.LEDGER, item.key, item)
     report.check("eq. 9.9", x + y)
     for derived in (x, x + y + 1):
@@ -132,10 +134,30 @@ def test_a_conditional_item_passes_only_where_the_condition_is_needed_and_enough
             report.check("eq. 9.9", derived)
 
 
-@pytest.mark.parametrize("verdict", ["fine", "holds, if so", "wrong: so"])
-def test_a_verdict_without_its_reason_cannot_be_recorded(verdict):
-    with pytest.raises(ValueError, match=r"eq. 9.9"):
-        Item("eq. 9.9", printed=x, **HOLDS | {"verdict": verdict})
+@pytest.mark.parametrize(
+    ("verdict", "lacks"),
+    [("fine", "begins with"), ("holds, if so", "substitution"), ("wrong: so", "what is right")],
+)
+def test_a_verdict_without_what_makes_it_one_cannot_be_recorded(verdict, lacks):
+    with pytest.raises(ValueError, match=rf"eq. 9.9: .*{lacks}"):
+        Item("eq. 9.9", printed=x, **HOLDS | {"verdict": verdict, "because": "it is"})
+
+
+@pytest.mark.parametrize(("verdict", "kind"), [("holds, if y = 0", "holds, if"), ("wrong: so", "wrong")])
+def test_an_item_that_does_not_hold_says_why(verdict, kind):
+    facts = HOLDS | {"verdict": verdict, "printed": x, "condition": {y: sp.Integer(0)}, "right": y}
+    with pytest.raises(ValueError, match=r"eq. 9.9: .* says why"):
+        Item("eq. 9.9", **facts)
+    assert Item("eq. 9.9", because="at y = 1 it is another", **facts).kind == kind
+
+
+@pytest.mark.parametrize("key", [key for key, item in report.LEDGER.items() if item.because])
+def test_a_reason_is_one_short_clause_that_the_verdict_does_not_repeat(key):
+    item = report.LEDGER[key]
+    assert item.kind != "holds"
+    assert len(item.because.split()) <= 24
+    assert not item.because.endswith(".")
+    assert item.because not in item.verdict
 
 
 def test_an_unknown_key_gets_the_list_of_known_ones():
@@ -164,5 +186,20 @@ def test_the_ledger_links_to_the_cell_that_checks_an_item(monkeypatch):
         assert report.LEDGER[key].notebook == notebook
         (cell,) = [c for c in nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4).cells if c.id == cell_id]
         assert f'report.check("{key}"' in cell.source
-    not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
-    assert len(report.errata().data.splitlines()) == 2 + len(not_holding)
+
+
+def test_the_errata_are_what_is_printed_why_it_cannot_be_and_what_holds(monkeypatch):
+    monkeypatch.chdir(NOTEBOOKS)
+    header, _, *rows = report.errata().data.splitlines()
+    assert header == "| item | printed | why it cannot be | what holds |"
+    assert all(row.count("|") == 5 for row in rows)
+    cells = {row.split("]")[0][3:].replace("&nbsp;", " "): row.strip("| ").split(" | ")[1:] for row in rows}
+    assert cells.keys() == {key for key, item in report.LEDGER.items() if item.verdict != "holds"}
+    printed, because, holds = cells["eq. 1.10"]
+    assert printed.endswith(r": $\theta_{4} = \operatorname{atan}\frac{R_{23}}{R_{13}}$")
+    assert because.startswith("$R_{13}$ is sin($\\theta_{4}$)")
+    assert holds == "it is atan2($R_{13}$, -$R_{23}$)"
+    assert cells["eq. 1.4"][2].startswith("holds, if ")
+    assert cells["claim A1.3"][0] == "Fig. 1.2 shows position and orientation of the gripper"
+    (link,) = re.findall(r"eq.&nbsp;1.10\]\(([^)]+)\)", report.errata().data)
+    assert f"({link})" in report.ledger().data

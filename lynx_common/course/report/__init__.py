@@ -17,9 +17,11 @@ import sympy as sp
 from IPython.display import Markdown
 
 from ...errors import LedgerError, UnknownNameError
+from ...symbolic import TASK
 from . import a1, a2, a3, b1, b2, b3, part2, part3
 from .item import Item, differs
 
+LETTERS = {TASK[3]: r"\varphi"}  # the pitch, as the notebooks write it
 CHECKED = re.compile(r'report\.check\("([^"]+)"')
 LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2, part3) for item in notebook.ITEMS}
 
@@ -76,19 +78,42 @@ def ledger() -> Markdown:
 
 
 def errata() -> Markdown:
-    """The items that do not hold as printed, each with a link to the cell that shows it."""
-    return _table((item for item in LEDGER.values() if item.kind != "holds"), linked=True)
+    """The items that do not hold as printed, each with a link to the cell that shows it, and what holds."""
+    items = sorted((item for item in LEDGER.values() if item.kind != "holds"), key=_reading_order)
+    rows = (
+        (_link(item), _as_printed(item), _typeset(item.because), _typeset(item.verdict.removeprefix("wrong: ")))
+        for item in items
+    )
+    return _markdown(("item", "printed", "why it cannot be", "what holds"), rows)
 
 
 def _table(items: Iterable[Item], linked: bool = False) -> Markdown:
-    rows = ["| item | report | what it says | verdict |", "|:--|:--|:--|:--|"]
-    for item in sorted(items, key=_reading_order):
-        key = item.key.replace(" ", "&nbsp;")
-        key = (
-            f"[{key}]({item.notebook}.ipynb#cell-id={_checking_cells(item.notebook)[item.key]})" if linked else key
-        )
-        rows.append(f"| {key} | {item.where} | {_typeset(item.says)} | {_typeset(item.verdict)} |")
-    return Markdown("\n".join(rows))
+    rows = (
+        (_link(item) if linked else _name(item), item.where, _typeset(item.says), _typeset(item.verdict))
+        for item in sorted(items, key=_reading_order)
+    )
+    return _markdown(("item", "report", "what it says", "verdict"), rows)
+
+
+def _markdown(header: Iterable[str], rows: Iterable[Iterable[str]]) -> Markdown:
+    head, *body = (f"| {' | '.join(cells)} |" for cells in (header, *rows))
+    return Markdown("\n".join([head, "|:--|:--|:--|:--|", *body]))
+
+
+def _name(item: Item) -> str:
+    return item.key.replace(" ", "&nbsp;")
+
+
+def _link(item: Item) -> str:
+    return f"[{_name(item)}]({item.notebook}.ipynb#cell-id={_checking_cells(item.notebook)[item.key]})"
+
+
+def _as_printed(item: Item) -> str:
+    """What the item says; an equation also in the course's symbols."""
+    if not isinstance(item.printed, sp.Eq):
+        return _typeset(item.says)
+    formula = sp.latex(item.printed, symbol_names=LETTERS, fold_func_brackets=True, order="none")
+    return f"{_typeset(item.says)}: ${formula}$"
 
 
 @cache
@@ -100,8 +125,8 @@ def _checking_cells(notebook: str) -> dict[str, str]:
 
 
 def _typeset(text: str) -> str:
-    """``text`` with names such as theta_4 and d_1 as mathematics."""
-    return re.sub(r"\b(theta|[A-Za-z])_(\d+)\b", _symbol, text)
+    """``text`` with names such as theta_4, d_1 and S_A as mathematics."""
+    return re.sub(r"\b(theta|[A-Za-z])_(\d+|[A-Za-z])\b", _symbol, text)
 
 
 def _symbol(name: re.Match) -> str:

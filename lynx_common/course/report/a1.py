@@ -73,6 +73,7 @@ ITEMS = [
         notebook=NOTEBOOK,
         verdict="holds, if frame 0 is taken at the shoulder and frame 5 at the wrist (d_1 = L_3 = 0), "
         "and its theta_4 is 90 deg less than that of Table 1.2",
+        because="its column d holds only zeros, and its theta_4 + 90 deg is called theta_4 in Table 1.2",
         condition={d_1: sp.Integer(0), L_3: sp.Integer(0), theta_4: theta_4 + QUARTER},
     ),
     Item(
@@ -99,6 +100,7 @@ ITEMS = [
         printed=sp.Matrix([[0, 0, 1], [0, -1, 0], [1, 0, 0]]),
         notebook=NOTEBOOK,
         verdict="holds, if theta_2 + theta_3 + theta_4 = 90 deg with theta_4 of Table 1.2, or 0 with Table 1.1",
+        because="with all angles of Table 1.2 at 0 the gripper points straight down, not level",
         condition={theta_4: QUARTER - theta_2 - theta_3},
     ),
     Item(
@@ -116,8 +118,8 @@ ITEMS = [
         says="the proximal convention leaves out d_1 and L_3, so the distal one must be used",
         printed=True,
         notebook=NOTEBOOK,
-        verdict="wrong: the proximal table carries both, d_1 in row 1 and L_3 in row 5, "
-        "and then gives the same pose, symbol for symbol",
+        verdict="wrong: the proximal table carries both, d_1 in row 1 and L_3 in row 5, and serves as well",
+        because="with these in its column d, and one theta_4, it gives the same pose, symbol for symbol",
     ),
     Item(
         key="claim A1.2",
@@ -126,6 +128,7 @@ ITEMS = [
         printed=True,
         notebook=NOTEBOOK,
         verdict="wrong: for the same pose theta_4 of Table 1.2 is 90 deg more than theta_4 of Table 1.1",
+        because="at theta_4 = 0 the gripper of Table 1.1 continues the forearm, that of Table 1.2 is square to it",
     ),
     Item(
         key="claim A1.3",
@@ -133,6 +136,7 @@ ITEMS = [
         says="Fig. 1.2 shows position and orientation of the gripper",
         printed=True,
         notebook=NOTEBOOK,
-        verdict="wrong: it shows the position; another theta_5 gives the same picture and another orientation",
+        verdict="wrong: it shows the position and which way the gripper points, but not its roll",
+        because="with theta_5 90 deg more the picture is the same, and the orientation is another",
     ),
 ]

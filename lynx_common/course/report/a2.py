@@ -12,8 +12,8 @@ def _figure(number: str, says: str, reading: list[float]) -> Item:
     return Item(number, "1.2, p. 4", says, np.array(reading), NOTEBOOK, "holds", digits=2)
 
 
-def _claim(number: int, says: str, verdict: str = "holds") -> Item:
-    return Item(f"claim A2.{number}", "1.2, pp. 4-5", says, True, NOTEBOOK, verdict)
+def _claim(number: int, says: str, verdict: str = "holds", because: str = "") -> Item:
+    return Item(f"claim A2.{number}", "1.2, pp. 4-5", says, True, NOTEBOOK, verdict, because)
 
 
 ITEMS = [
@@ -31,28 +31,33 @@ ITEMS = [
     _claim(
         2,
         "the wrist's workspace takes a sweep over the first four joints",
-        "wrong: theta_4 does not move the wrist either, and theta_1 only turns the result about the base axis",
+        "wrong: it takes one over theta_2 and theta_3; theta_1 only turns the result about the base axis",
+        "theta_4 does not move the wrist either: row 4 of Table 1.2 has no length and no offset",
     ),
     _claim(
         3,
         "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
         "wrong: they have 20,566 different points in the arm's plane, and 5,880,332 in space, which take 141 MB",
+        "theta_4 only repeats each point 361 times, and theta_1 only turns the arm's plane",
     ),
     _claim(4, "the workspace of the wrist is like a spherical shell"),
     _claim(
         5,
         "the wrist cannot reach the position directly above or below the base",
         "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from -0.18 to -0.30 m below",
+        "with theta_3 = 0 it is above the base at theta_2 = 90 deg, and below it at theta_2 = -90 deg",
     ),
     _claim(
         6,
         "its horizontal extent is determined by L_1 + L_2 + L_3",
-        "wrong: for the wrist it is L_1 + L_2 = 0.4 m, as the report's own figure shows",
+        "wrong: for the wrist it is L_1 + L_2 = 0.4 m",
+        "L_3 is the part beyond the wrist, and the report's own figure ends at 0.4 m",
     ),
     _claim(
         7,
         "the dense inner ring of Fig. 1.3b is near the base",
         "wrong: it is near the base axis, but 0.38 m or more above the base, or 0.18 m or more below",
+        "a view from above hides heights, and no point of the ring is within 0.1 m of the base's height",
     ),
     _claim(8, "the gaps are caused by the step of 10 deg"),
     _claim(9, "another range of one joint can make a large difference to the workspace"),
@@ -60,6 +65,7 @@ ITEMS = [
         10,
         "the workspace extends in the horizontal plane like a cylinder",
         "wrong: like a sphere; the higher or lower, the less far out",
+        "it goes out to 0.400 m at z = 0.1 m, but only to 0.268 m at z = 0.4 m",
     ),
     _claim(11, "the outermost points are those of the stretched arm"),
 ]

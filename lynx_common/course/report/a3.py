@@ -1,17 +1,16 @@
-"""Section 1.3 of the report, inverse kinematics: its equations, figures and claims.
+"""Section 1.3 of the report, inverse kinematics: its equations.
 
 The report's phi is here the symbol ``pitch``, and its P_joint4x and P_joint4y are ``r_wrist`` and ``h``.
 """
 
-import numpy as np
 import sympy as sp
 from sympy import acos, atan, atan2, cos, pi, sin, sqrt
 
 from ...symbolic import TASK, WRIST, P, Q
-from . import a1
+from . import a1, a3_results
+from .a3_results import NOTEBOOK
 from .item import Item
 
-NOTEBOOK = "A3_inverse_kinematics"
 theta_1, theta_2, theta_3, theta_4, theta_5 = Q
 d_1, L_1, L_2, L_3 = P
 r, z, pitch = TASK[1:4]
@@ -32,27 +31,21 @@ DISTANCE_2 = r_wrist**2 + h**2
 
 TABLE_1_1 = {theta_4: theta_4 + pi / 2}
 IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
+LOWER = "with theta_4 of Table 1.2 the gripper points 90 deg lower than theta_2 + theta_3 + theta_4"
 k = sp.Symbol("k", integer=True)
 ONE_AZIMUTH = "holds, if x is not 0; it is one of two azimuths, 180 deg apart"
 ONE_ELBOW = "holds, if the elbow with a positive theta_3 is meant; the negative one reaches the same wrist"
+NO_SIGN = "a cosine leaves the sign of the angle open, and the formula takes one of the two"
 NOT_AT_90 = "cos(theta_1) is not 0; x cos(theta_1) + y sin(theta_1) holds there too"
-
-# Fig. 1.5: five angles in degrees, position and its error in metres, orientation row by row and its error.
-ORIENTATION = [0.7071, 0, 0.7071, -0.7071, 0, 0.7071, 0, -1, 0]
-FIG_1_5 = np.array([45, 5.2644, 60, 24.7356, 90, 0.2707, 0.2707, 0.3, 0.1, *ORIENTATION, 2.1414])
-FIG_1_5_RIGHT = np.array([45, 60.8808, -82.8192, -158.0616, 135, 0.2, 0.2, 0.3, 0, *np.eye(3).ravel(), 0])
+AT_90 = "at theta_1 = 90 deg x / cos(theta_1) is 0/0"
 
 c, s, C, S = cos(theta_1), sin(theta_1), cos(pitch), sin(pitch)
 UPRIGHT = sp.Matrix([[C, 0, S, x], [0, 1, 0, y], [-S, 0, C, z], [0, 0, 0, 1]])
 IN_THE_PLANE = sp.Matrix([[c * C, -s, -c * S, x], [s * C, c, -s * S, y], [S, 0, C, z], [0, 0, 0, 1]])
 
 
-def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", **facts) -> Item:
-    return Item(f"eq. 1.{number}", "1.3, pp. 5-7", says, printed, NOTEBOOK, verdict, **facts)
-
-
-def _claim(number: int, says: str, verdict: str) -> Item:
-    return Item(f"claim A3.{number}", "1.3, p. 7", says, True, NOTEBOOK, verdict)
+def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", because: str = "", **facts) -> Item:
+    return Item(f"eq. 1.{number}", "1.3, pp. 5-7", says, printed, NOTEBOOK, verdict, because, **facts)
 
 
 ITEMS = [
@@ -60,7 +53,8 @@ ITEMS = [
         3,
         "the azimuth of the base",
         sp.Eq(theta_1, atan(y / x)),
-        "wrong: with the r of (1.4), which is not negative, it has to be the target's azimuth, atan2(y, x)",
+        "wrong: it has to be the azimuth of the target, atan2(y, x)",
+        "the r of (1.4) is never negative, and for a target at (-0.3, 0.2) m this is -33.7 instead of 146.3 deg",
         right=atan2(y, x),
     ),
     _item(
@@ -68,6 +62,7 @@ ITEMS = [
         "what the triangle of the links has to span: distance and height of the target",
         sp.Eq(sp.Matrix([r_wrist, h]), sp.Matrix([r, z - d_1])),
         "holds, if L_3 = 0; else the wrist is to be taken, which is L_3 short of the target",
+        "the triangle of upper arm and forearm ends at the wrist, and the gripper is L_3 beyond it",
         condition={L_3: sp.Integer(0)},
     ),
     _item(5, "the law of cosines for the elbow", sp.Eq(D, COSINE)),
@@ -76,6 +71,7 @@ ITEMS = [
         "the elbow's angle",
         sp.Eq(theta_3, atan2(sqrt(1 - D**2), D)),
         ONE_ELBOW,
+        NO_SIGN,
         condition={sigma: sp.Integer(1)},
     ),
     _item(7, "the shoulder's angle", sp.Eq(theta_2, atan2(h, r_wrist) - atan2(ACROSS, ALONG))),
@@ -95,30 +91,48 @@ ITEMS = [
         10,
         "theta_4 from what remains",
         sp.Eq(theta_4, atan(R_23 / R_13)),
-        "wrong: the third column is (sin theta_4, -cos theta_4, 0), so it is atan2(R_13, -R_23)",
+        "wrong: it is atan2(R_13, -R_23)",
+        "R_13 is sin(theta_4) and R_23 is -cos(theta_4): the entries are swapped, and a sign is lost",
         right=atan2(R_13, -R_23),
     ),
     _item(
         11,
         "theta_5 from what remains",
         sp.Eq(theta_5, atan2(sqrt(R_13**2 + R_23**2), R_33)),
-        "wrong: that is 90 deg for every orientation the arm can take; theta_5 is atan2(R_31, R_32)",
+        "wrong: it is atan2(R_31, R_32)",
+        "R_33 is 0 and the root is 1 for every orientation the arm can take, so it is always 90 deg",
         right=atan2(R_31, R_32),
     ),
-    _item(12, "the gripper's pitch", sp.Eq(pitch, theta_2 + theta_3 + theta_4), IF_TABLE_1_1, condition=TABLE_1_1),
+    _item(
+        12,
+        "the gripper's pitch",
+        sp.Eq(pitch, theta_2 + theta_3 + theta_4),
+        IF_TABLE_1_1,
+        LOWER,
+        condition=TABLE_1_1,
+    ),
     _item(
         13,
         "the gripper's pose for a pitch, x along the gripper",
         sp.Eq(sp.MatrixSymbol("T", 4, 4), UPRIGHT),
-        "wrong: it leaves out theta_1, and turns the gripper down where (1.16) turns it up",
+        "wrong: its turn is one by theta_1 about z, times one by minus the pitch about y",
+        "it leaves out theta_1, and for a positive pitch it points down, where (1.16) has it point up",
         right=IN_THE_PLANE,
     ),
-    _item(14, "the azimuth of the base", sp.Eq(theta_1, atan(y / x)), ONE_AZIMUTH, condition={k: sp.Integer(0)}),
+    _item(
+        14,
+        "the azimuth of the base",
+        sp.Eq(theta_1, atan(y / x)),
+        ONE_AZIMUTH,
+        "at x = 0 it divides by zero, and angles 180 deg apart have the same tangent",
+        condition={k: sp.Integer(0)},
+    ),
     _item(
         15,
         "signed distance of the gripper from the base axis, as a sum of three links",
         sp.Matrix([L_1 * cos(theta_2) + L_2 * cos(forearm) + L_3 * cos(gripper), x / cos(theta_1)]),
         f"{IF_TABLE_1_1}, and {NOT_AT_90}",
+        f"theta_4 of Table 1.2 is 90 deg more, and {AT_90}",
         condition=TABLE_1_1 | {y: x * sp.tan(theta_1)},
     ),
     _item(
@@ -126,6 +140,7 @@ ITEMS = [
         "height of the gripper over the shoulder, as a sum of three links",
         sp.Eq(z - d_1, WRIST_UP + L_3 * sin(gripper)),
         IF_TABLE_1_1,
+        LOWER,
         condition=TABLE_1_1,
     ),
     _item(
@@ -133,6 +148,7 @@ ITEMS = [
         "signed distance of the wrist",
         sp.Matrix([x / cos(theta_1) - L_3 * cos(pitch), L_1 * cos(theta_2) + L_2 * cos(forearm)]),
         f"holds, if {NOT_AT_90}",
+        AT_90,
         condition={y: x * sp.tan(theta_1)},
     ),
     _item(18, "height of the wrist over the shoulder", sp.Matrix([z - d_1 - L_3 * sin(pitch), WRIST_UP])),
@@ -142,6 +158,7 @@ ITEMS = [
         "the elbow's angle",
         sp.Eq(theta_3, acos(c_3)),
         ONE_ELBOW,
+        NO_SIGN,
         condition={sigma: sp.Integer(1)},
     ),
     _item(21, "the shoulder's sine", sp.Eq(sp.Symbol("s_2"), (ALONG * h - ACROSS * r_wrist) / DISTANCE_2)),
@@ -150,6 +167,7 @@ ITEMS = [
         "the shoulder's cosine",
         sp.Eq(c_2, (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
         "wrong: the sign between the two terms is plus",
+        "with the minus the squares of sine and cosine do not add up to 1",
         right=(ALONG * r_wrist + ACROSS * h) / DISTANCE_2,
     ),
     _item(23, "the shoulder's angle from its sine and cosine", sp.Eq(theta_2, atan2(s_2, c_2))),
@@ -158,42 +176,8 @@ ITEMS = [
         "the wrist's angle makes up the pitch",
         sp.Eq(theta_4, pitch - theta_3 - theta_2),
         IF_TABLE_1_1,
+        LOWER,
         condition={pitch: pitch - pi / 2},
     ),
-    Item(
-        key="Fig. 1.5",
-        where="1.3.1, p. 6",
-        says="joint angles for R = I at (0.2, 0.2, 0.3) m, and the pose that they give: off by 0.1 m and 2.1414",
-        printed=FIG_1_5,
-        digits=4,
-        notebook=NOTEBOOK,
-        verdict="wrong: it has the wrist at the target; four sets of angles reach the pose with no error, "
-        "the first with theta_1 to theta_5 at 45, 60.8808, -82.8192, -158.0616, 135 deg",
-        right=FIG_1_5_RIGHT,
-    ),
-    Item(
-        key="Fig. 1.6",
-        where="1.3.2, p. 8",
-        says="theta_1 to theta_4 (of Table 1.1) for (0.30, 0.20, 0.35) m, pitch 45 deg: 0.59, 0, 1.10, -0.32",
-        printed=np.array([0.59, 0.00, 1.10, -0.32]),
-        digits=2,
-        notebook=NOTEBOOK,
-        verdict="holds",
-    ),
-    _claim(
-        1,
-        "an error of 0.1 m means that the solution is relatively accurate",
-        "wrong: the error is L_3, whatever L_3 is, because the wrist was put where the gripper belongs",
-    ),
-    _claim(
-        2,
-        "the orientation error may come from the ranges of the joints or from the mechanics",
-        "wrong: it comes from (1.10) and (1.11); with these mended, the same first three angles leave no error",
-    ),
-    _claim(
-        3,
-        "the method is numerical; its convergence or initial guess may be at fault",
-        "wrong: nothing converges in it; with 50 digits the error is still 0.1 m, in all of them",
-    ),
-    _claim(4, "once theta_1 is known, what remains is a planar arm of three links", "holds"),
+    *a3_results.ITEMS,
 ]

@@ -19,8 +19,8 @@ POSES = np.array(
 )
 
 
-def _claim(number: int, says: str, verdict: str = "holds") -> Item:
-    return Item(f"claim B1.{number}", "1.4, p. 9", says, True, NOTEBOOK, verdict)
+def _claim(number: int, says: str, verdict: str = "holds", because: str = "") -> Item:
+    return Item(f"claim B1.{number}", "1.4, p. 9", says, True, NOTEBOOK, verdict, because)
 
 
 ITEMS = [
@@ -47,6 +47,7 @@ ITEMS = [
     _claim(
         3,
         "the postures drawn are possible with the real range of joint 2, which section 1.2 says is 0 to 180 deg",
-        "wrong: a, d and e are drawn with the elbow down, and their joint 2 is at -17, -3 and -3 deg",
+        "wrong: a, d and e are possible with the elbow up, not down as drawn",
+        "joint 2 of a, d and e as drawn is at -17, -3 and -3 deg",
     ),
 ]

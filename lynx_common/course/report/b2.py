@@ -17,6 +17,7 @@ forearm, gripper = theta_2 + theta_3, theta_2 + theta_3 + theta_4
 
 TABLE_1_1 = {theta_4: theta_4 + pi / 2}
 IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
+LOWER = "with theta_4 of Table 1.2 the gripper points 90 deg lower than theta_2 + theta_3 + theta_4"
 
 OUT = {
     3: L_1 * cos(theta_2),
@@ -37,9 +38,9 @@ STAR = np.array([[0.2, 0, 0.4], [-0.16, 0.12, 0.4], [0.06, -0.19, 0.4], [0.06, 0
 
 
 def _item(number: int, says: str, printed: sp.Basic, gripper: bool = False) -> Item:
-    verdict, condition = (IF_TABLE_1_1, TABLE_1_1) if gripper else ("holds", None)
+    verdict, because, condition = (IF_TABLE_1_1, LOWER, TABLE_1_1) if gripper else ("holds", "", None)
     key, where = f"eq. 1.{number}", "1.5, pp. 10-11"
-    return Item(key, where, says, printed, NOTEBOOK, verdict, condition=condition)
+    return Item(key, where, says, printed, NOTEBOOK, verdict, because, condition=condition)
 
 
 def _positions(joint: int, first: int) -> list[Item]:
@@ -52,8 +53,8 @@ def _positions(joint: int, first: int) -> list[Item]:
     return [*items, _item(first + 3, f"position of the {NAMES[joint]}", sp.Matrix(place), joint == 5)]
 
 
-def _claim(number: int, says: str, verdict: str = "holds") -> Item:
-    return Item(f"claim B2.{number}", "1.5, pp. 10-11", says, True, NOTEBOOK, verdict)
+def _claim(number: int, says: str, verdict: str = "holds", because: str = "") -> Item:
+    return Item(f"claim B2.{number}", "1.5, pp. 10-11", says, True, NOTEBOOK, verdict, because)
 
 
 ITEMS = [
@@ -94,19 +95,21 @@ ITEMS = [
     _claim(
         3,
         "the equations of section 1.3.2 give the joint angles of all five poses",
-        "wrong: (1.14) has 0/0 at c, and at d it gives theta_1 = 0, which with a pitch of 0 puts the wrist out "
-        "of reach; atan2(y, x) serves for a, b, d, e, and at c any theta_1 will do",
+        "wrong: atan2(y, x) serves for a, b, d, e, and at c any theta_1 will do",
+        "(1.14) has 0/0 at c, and theta_1 = 0 at d, where the wrist would then be 0.4243 m from the shoulder",
     ),
     _claim(
         4,
         "the interpolated points, shown one after another, are a motion of the arm",
-        "wrong: at c theta_1 jumps by 180 deg between two samples; the pictures do not show it",
+        "wrong: for a motion theta_1 has to stay at 0, and the arm to lean over backwards from c on",
+        "at c theta_1 jumps by 180 deg between two samples, which the pictures do not show",
     ),
     _claim(5, "the joints' positions, connected, show the arm: neighbours are a link apart, whatever the angles"),
     _claim(
         6,
         "the star shows how well the arm performs",
-        "wrong: at the samples its error is that of rounding, for any arm; drawn in one go it winds twice round "
-        "the base, and joint 1 has one turn within this course's limits",
+        "wrong: its error is between the samples; and drawn in one go it winds twice round the base, where "
+        "joint 1 has one turn within this course's limits",
+        "at the samples the error is that of rounding, also for an arm of quite other lengths",
     ),
 ]

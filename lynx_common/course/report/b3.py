@@ -14,8 +14,8 @@ def _figure(number: str, says: str, reading: np.ndarray, digits: int) -> Item:
     return Item(f"Fig. {number}", "1.6, p. 13", says, reading, NOTEBOOK, "holds", digits=digits)
 
 
-def _claim(number: int, says: str, verdict: str = "holds") -> Item:
-    return Item(f"claim B3.{number}", "1.6, p. 13", says, True, NOTEBOOK, verdict)
+def _claim(number: int, says: str, verdict: str = "holds", because: str = "") -> Item:
+    return Item(f"claim B3.{number}", "1.6, p. 13", says, True, NOTEBOOK, verdict, because)
 
 
 ITEMS = [
@@ -37,14 +37,15 @@ ITEMS = [
     _claim(
         1,
         "the motions are those between the points of Table 1.5",
-        "wrong: the figures use other points; with those of Table 1.5 the free motion leaves the arm's reach",
+        "wrong: three of the five points in the figures are others",
+        "with those of Table 1.5 the free motion leaves the arm's reach",
     ),
     _claim(2, "the free motion and the linear motion can be done"),
     _claim(
         3,
         "the distance from the obstacle to the line, compared with its radius, tells whether a route is safe",
-        "wrong: the line goes on beyond the points, so that safe routes are refused; and the gripper is not the "
-        "arm, so that routes pass on which a link collides",
+        "wrong: what tells is the distance from the obstacle to the whole arm, on the way between the points",
+        "the line goes on beyond the points and refuses safe routes; and routes pass on which a link collides",
     ),
     _claim(4, "the straight way from point 3 to point 4 is blocked"),
     _claim(5, "the detour is clear of the obstacle"),
@@ -52,5 +53,6 @@ ITEMS = [
         6,
         "the parameters of a spline around the obstacle are hard to adjust",
         "wrong: here, with both ends equally far from the centre, one height will do, and the clearance gives it",
+        "with that height, 3.86 cm, a sine and a parabola both keep the 0.18 m asked for",
     ),
 ]

@@ -21,7 +21,8 @@ class Item:
     says : what it says, in the course's own words, for the tables of the ledger
     printed : an ``sp.Eq`` or ``sp.Matrix``, an array of numbers, or True for a claim
     notebook : the notebook that checks it
-    verdict : "holds", "holds, if ..." or "wrong: ..." with what is right
+    verdict : "holds", "holds, if ..." or "wrong: ..." with what holds instead
+    because : why what is printed cannot be as it stands; needed unless it holds
     meaning : what the symbols in ``printed`` stand for, where the report defines them elsewhere
     digits : decimals to which printed numbers are compared
     condition : substitution under which an item holds that does not hold in general
@@ -34,6 +35,7 @@ class Item:
     printed: sp.Basic | np.ndarray | bool
     notebook: str
     verdict: str
+    because: str = ""
     meaning: Mapping = field(default_factory=dict)
     digits: int | None = None
     condition: Mapping | None = None
@@ -42,6 +44,8 @@ class Item:
     def __post_init__(self) -> None:
         if not self.verdict.startswith(KINDS):
             raise ValueError(f"{self.key}: a verdict begins with one of {KINDS}, not {self.verdict!r}.")
+        if self.kind != "holds" and not self.because:
+            raise ValueError(f"{self.key}: an item that does not hold says why.")
         if self.kind == "holds, if" and self.condition is None:
             raise ValueError(f"{self.key}: an item that holds under a condition states it as a substitution.")
         if self.kind == "wrong" and self.right is None and self.printed is not True:

@@ -25,19 +25,20 @@ FROM_THE_BASE = {x_PP: x_PP - x_PB, y_PP: y_PP - y_PB}
 APART = sp.Eq(L**2, (x_PP - x_PB) ** 2 + (y_PP - y_PB) ** 2)
 FROM_THE_ELBOW = (x_PP - x_PB - S_A * cos(theta)) ** 2 + (y_PP - y_PB - S_A * sin(theta)) ** 2
 ROOT = sp.sqrt(e_1**2 - (e_3 - e_2) * (e_3 + e_2))
-LEFT_OUT = "wrong: it leaves out the base joint; "
-ORIGIN = "is counted from the base joint, not from the origin"
+AT_THE_ORIGIN = "it leaves out the base joint, as if all three motors were at the origin"
+ANY_LENGTH = "base joint and platform joint may be anything from 40 to 300 mm apart, depending on the pose"
 
 
-def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", **facts) -> Item:
+def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", because: str = "", **facts) -> Item:
     where = "2.2, pp. 17-19" if number == 13 else "2.1, pp. 14-17"
-    return Item(f"eq. 2.{number}", where, says, printed, NOTEBOOK, verdict, **facts)
+    return Item(f"eq. 2.{number}", where, says, printed, NOTEBOOK, verdict, because, **facts)
 
 
 def _from_the_base(number: int, e: sp.Symbol, says: str) -> Item:
     """One of (2.6) to (2.8)."""
     right = E[e].subs(FROM_THE_BASE, simultaneous=True)
-    return _item(number, says, sp.Eq(e, E[e]), f"{LEFT_OUT}the platform joint {ORIGIN}", right=right)
+    verdict = "wrong: the platform joint is counted from the base joint, not from the origin"
+    return _item(number, says, sp.Eq(e, E[e]), verdict, AT_THE_ORIGIN, right=right)
 
 
 ITEMS = [
@@ -46,6 +47,7 @@ ITEMS = [
         "joint i of the platform",
         sp.Eq(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
         "wrong: by Table 2.2, which the numbers follow, every corner is 90 deg further round",
+        "its first corner is to the right of the centre, that of Table 2.2 above it",
         meaning={R_BC: R},
         right=r_platform * R * sp.Matrix([cos(CORNER + pi / 2), sin(CORNER + pi / 2)]) + C,
     ),
@@ -54,14 +56,16 @@ ITEMS = [
         3,
         "x of the platform joint, along the two links of its leg",
         sp.Eq(x_PP, S_A * cos(theta) + L * cos(psi)),
-        f"{LEFT_OUT}its x is to be added",
+        "wrong: the x of the base joint is to be added",
+        AT_THE_ORIGIN,
         right=x_PB + S_A * cos(theta) + L * cos(psi),
     ),
     _item(
         4,
         "y of the platform joint, along the two links of its leg",
         sp.Eq(y_PP, S_A * sin(theta) + L * sin(psi)),
-        f"{LEFT_OUT}its y is to be added",
+        "wrong: the y of the base joint is to be added",
+        AT_THE_ORIGIN,
         right=y_PB + S_A * sin(theta) + L * sin(psi),
     ),
     _item(
@@ -69,6 +73,7 @@ ITEMS = [
         "what is L apart: base joint and platform joint",
         APART,
         "wrong: elbow and platform joint are; base joint and elbow are S_A apart",
+        ANY_LENGTH,
         right=FROM_THE_ELBOW,
     ),
     _from_the_base(6, e_1, "factor of the sine in (2.9)"),
@@ -86,6 +91,7 @@ ITEMS = [
         "its two roots",
         sp.Eq(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
         "holds, if e_3 is not e_2; there it is linear, with one root -e_3 / e_1, and the other angle is 180 deg",
+        "where e_3 = e_2 it divides by zero, and half of 180 deg has no tangent",
         condition={sp.Eq(e_2, e_3): sp.false},
     ),
     _item(12, "theta from t", sp.Eq(theta, 2 * sp.atan(t))),
@@ -94,6 +100,7 @@ ITEMS = [
         "what is L apart: base joint and platform joint",
         APART,
         "wrong: elbow and platform joint are, as for (2.5)",
+        ANY_LENGTH,
         right=FROM_THE_ELBOW,
     ),
     *part2_results.ITEMS,

@@ -29,8 +29,8 @@ AXES = {J: sp.ImmutableMatrix(T[:3, 2]) for J, T in zip(ANGULAR, FRAMES, strict=
 WAYPOINTS = np.array([[0, 0, 5], [10, 0, 10], [15, 5, 10]])
 
 
-def _claim(number: int, where: str, says: str, verdict: str = "holds") -> Item:
-    return Item(f"claim P3.{number}", where, says, True, NOTEBOOK, verdict)
+def _claim(number: int, where: str, says: str, verdict: str = "holds", because: str = "") -> Item:
+    return Item(f"claim P3.{number}", where, says, True, NOTEBOOK, verdict, because)
 
 
 ITEMS = [
@@ -49,6 +49,7 @@ ITEMS = [
         sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
         NOTEBOOK,
         "holds, if z_i and p_i belong to the axis that joint i turns about: in Table 3.1 that of frame i - 1",
+        "the axis of frame i is that of the next joint, and with it the columns are not the position's derivative",
         condition=FRAME_I,
     ),
     Item(
@@ -68,7 +69,8 @@ ITEMS = [
         "least and largest determinant, for theta_1 all round and the other angles 0",
         np.array([-3.8e-14, 4.0e-14]),
         NOTEBOOK,
-        "wrong: on the whole line it is 0; what is drawn is rounding error",
+        "wrong: on the whole line it is 0",
+        "sin(theta_3) is a factor of it, and theta_3 is 0 throughout; what is drawn is rounding error",
         digits=15,
         right=np.zeros(2),
     ),
@@ -79,6 +81,7 @@ ITEMS = [
         "in a singular configuration a robot loses degrees of freedom",
         "wrong: so does every singular arm; but the platform of a parallel robot gains one when its legs become "
         "dependent",
+        "where the wrenches of its legs are dependent, the platform can turn a little with all motors locked",
     ),
     _claim(2, "3.1", "where the determinant is zero, there are directions in which the end cannot move"),
     _claim(3, "3.2", "the arm has four degrees of freedom"),
@@ -87,43 +90,49 @@ ITEMS = [
         "3.2",
         "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
         "wrong: it is another matrix, whose determinant is zero in every posture",
+        "its entries differ from how the end moves when a joint turns a little, by up to 10.54",
     ),
     _claim(
         5,
         "3.2",
         "varying theta_1, with the other angles 0, shows which configurations are singular",
-        "wrong: the determinant does not depend on theta_1, and all of these configurations are singular",
+        "wrong: all of these configurations are singular; theta_2 and theta_3 tell which others are",
+        "the determinant does not depend on theta_1, and theta_3 = 0 makes it zero",
     ),
     _claim(
         6,
         "3.3",
         "peaks and troughs of the determinant are the most and the least controllable configurations",
         "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
+        "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077",
     ),
     _claim(
         7,
         "3.3",
         "the trajectory is smooth",
         "wrong: at the second waypoint its direction changes by 50.8 deg",
+        "two straight lines that meet at an angle make a corner, where the velocity jumps",
     ),
     _claim(
         8,
         "3.3",
         "the trajectory avoids singular configurations",
         "wrong: it begins in one, at the shoulder, where the rank is 1",
+        "the first waypoint is reached only with theta_3 = 180 deg, where both factors of the determinant vanish",
     ),
     _claim(
         9,
         "3.3",
         "the plot of the determinant validates the trajectory",
-        "wrong: the plot is of straight postures, and the trajectory has none",
+        "wrong: the plot says nothing about the trajectory",
+        "the plot is of straight postures, and the trajectory has none",
     ),
     _claim(
         10,
         "3.4",
         "the determinant of the position part may overlook singularities that have to do with orientation",
-        "wrong: for this arm it overlooks none; it reports more than there are, since on the base axis the four "
-        "twists stay independent",
+        "wrong: for this arm it overlooks none, and reports more than there are",
+        "it is zero wherever sin(theta_3) is, and also on the base axis, where the four twists stay independent",
     ),
     _claim(11, "3.4", "the whole Jacobian and a second-order criterion tell more than the determinant"),
     _claim(
@@ -131,5 +140,6 @@ ITEMS = [
         "3.4",
         "the analysis rests on screw theory",
         "wrong: it takes the upper halves of four screws, and what these say depends on the point of reference",
+        "read at the origin the halves have rank 2, at the end rank 3; the whole screws have rank 4 at both",
     ),
 ]

@@ -21,19 +21,20 @@ figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebo
 notebooks: .venv/ready  ## execute the notebooks in place, to store their outputs
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
-bench: .venv/ready  ## measure speed and memory
-	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
+bench: .venv-bench/ready  ## measure speed and memory, also against other packages
+	.venv-bench/bin/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
 browser: .venv/ready .venv-browser/ready  ## move a slider of every explorer's notebook in a real Chromium
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
 	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
 
 clean:  ## remove what was made here, except work/
-	rm -rf .venv .venv-browser figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv .venv-bench .venv-browser figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find lynx_common tests notebooks \( -name __pycache__ -o -name .ipynb_checkpoints \) -prune -exec rm -rf {} +
 
 .venv/ready: requirements.txt pyproject.toml
 .venv-browser/ready: requirements-browser.txt
+.venv-bench/ready: requirements-bench.txt requirements.txt pyproject.toml
 
 %/ready:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { echo "Python 3.11 or" \

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from lynx_common import arm, dh, workspace
+from lynx_common import arm, dh, rrr, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1, b2, b3
+from lynx_common.course.exercises import a2, b1, b2, b3, part2
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -31,6 +31,14 @@ def scara_inverse(C, sign=1):
 
 
 behind = arm.inverse_kinematics([-0.2, 0.1, 0.3], 0.0)
+
+legs = rrr.inverse_kinematics(part2.POSE)
+
+
+def span(*pose):
+    """Of leg 2, in mm."""
+    return rrr.leg_lengths(np.array(pose))[1]
+
 
 RIGHT = {
     "A2.1": [0.2, [0.2], sp.Rational(1, 5), np.float64(0.20004)],
@@ -57,6 +65,14 @@ RIGHT = {
     "B3.1": [0.2162, [b3.CLEARANCE], sp.sqrt(10) / 10 - sp.Rational(1, 10)],
     "B3.2": [0.1852, b3.KEEP, sp.sqrt(2) / 20 * (1 + sp.sqrt(1 + 16 / sp.pi**2))],
     "B3.3": [2.06, [2.064], b3.SHORTEST],
+    "P2.1": [165.24, [165.237], rrr.leg_lengths(part2.POSE)[1]],
+    "P2.2": [
+        np.deg2rad([-91.2418, 3.7697, 153.3632]),
+        np.round(legs[5], 4).tolist(),
+        sp.Matrix(legs[5] + np.array([2, -4, 0]) * pi),
+    ],
+    "P2.3": [230, [230.0], sp.Integer(230)],
+    "P2.4": [np.arccos(0.75), 0.7227, sp.acos(sp.Rational(3, 4))],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -211,6 +227,51 @@ WRONG = {
         (2, "run into the pillar"),
         (3, "0.94 m too much"),
     ],
+    "P2.1": [
+        (..., "not attempted"),
+        (np.linalg.norm(rrr.platform_joints(part2.POSE)[1]), "the leg begins at PB_2"),
+        (span(-60, 80, 20 - 6 * pi), "went in as radians"),
+        (span(-60, 80, 0), "the span at alpha = 0"),
+        (span(-60, 80, -np.deg2rad(20)), "turned the other way"),
+        (rrr.leg_lengths(part2.POSE)[0], "this is leg 1"),
+        (rrr.leg_lengths(part2.POSE)[2], "this is leg 3"),
+        (0.16524, "right in metres"),
+        (170, "4.76 mm too much"),
+        ([1, 2], "shape (2,), where one number is expected"),
+    ],
+    "P2.2": [
+        (..., "not attempted"),
+        (np.rad2deg(legs[5]), "right in degrees"),
+        (legs[0], "one elbow for all"),
+        (legs[7], "one elbow for all"),
+        (legs[2], "every leg bends to the other side"),
+        (rrr.inverse_kinematics(part2.POSE, rrr.Geometry(r_base=1e-9))[5], "the base joints are left out"),
+        (rrr.inverse_kinematics(part2.POSE, rrr.Geometry(130, 170))[5], "the links are exchanged"),
+        (rrr.inverse_kinematics([-60, 80, 0])[5], "alpha is left out"),
+        (legs[4], "not yet: leg 3 bends to the other side."),
+        (legs[5] + [0.1, 0, 0], "not yet: leg 1 is off."),
+        (legs[5][:2], "shape (2,), where (3,) is expected"),
+    ],
+    "P2.3": [
+        (..., "not attempted"),
+        (30, "enough at alpha = 0"),
+        (350, "S_A is a part of it"),
+        (20, "the base joints are left out"),
+        (270, "the longest that still folds"),
+        (np.hypot(250, 100) - 120, "up to alpha = 90 deg"),
+        (0.23, "right in metres"),
+        (200, "does not get round"),
+        (240, "a shorter link does, too"),
+    ],
+    "P2.4": [
+        (..., "not attempted"),
+        (41.41, "right in degrees"),
+        (-np.arccos(0.75), "everything mirrored"),
+        (np.arccos(-0.375), "that is type 1"),
+        (np.arccos(0.875), "the links are exchanged"),
+        (0.6193, "the report's robot"),
+        (1, "0.2773 rad too much"),
+    ],
     "A3.1": [
         (..., "not attempted"),
         ([0.25, 0, 0.05], "the gripper, not the wrist"),
@@ -318,7 +379,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
     namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
-    namespace |= dict(workspace=workspace, x=x, y=y, z=z)
+    namespace |= dict(workspace=workspace, rrr=rrr, x=x, y=y, z=z)
     namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)

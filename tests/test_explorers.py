@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from lynx_common import arm, workspace
+from lynx_common import arm, rrr, workspace
 from lynx_common.course import explorers
+from lynx_common.course.explorers.parallel import determinants
 from lynx_common.errors import InputError
 
 
@@ -239,3 +240,105 @@ def test_detour_says_when_the_arm_cannot_follow():
     for slider, value in zip(sliders, (-0.1, 0.5, 0.05, 0.06), strict=True):
         slider.value = value
     assert "The path fails first at sample 1 of 0 to 100: Target position is out of reach" in words.value
+
+
+def parallel(
+    *values: float, geometry: rrr.Geometry = rrr.RRR
+) -> tuple[list[widgets.Widget], widgets.HTML, widgets.Image]:
+    """Controls (X_c, Y_c, alpha in degrees, mode), words and picture of the explorer, set to ``values``."""
+    controls, words, image = parts(explorers.parallel_explorer(geometry))
+    for control, value in zip(controls, values, strict=False):
+        control.value = value
+    return controls, words, image
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, rrr.Geometry(120, 150, 80, 220)])
+@pytest.mark.parametrize("mode", range(8))
+def test_parallel_says_what_the_package_says(mode, geometry):
+    _, words, _ = parallel(-30, 20, -20, mode, geometry=geometry)
+    pose = np.array([-30, 20, np.deg2rad(-20)])
+    theta = rrr.inverse_kinematics(pose, geometry)[mode]
+    det_A, det_B = determinants(pose, theta, geometry)
+    distance = rrr.constant_orientation_workspace(pose[2], geometry).distances(pose[:2])[0]
+    expected = [", ".join(f"{a:.1f}°" for a in np.rad2deg(theta)), f"{det_A:.4f}", f"{det_B:.4f}"]
+    assert [row.split("<td>")[-1].split("</td>")[0] for row in words.value.split("<tr>")[1:]] == expected
+    assert f"{distance:.1f} mm to the boundary" in words.value
+    assert "regular" in words.value
+
+
+def test_parallel_menu_names_the_modes():
+    controls, _, _ = parallel()
+    signs = [tuple({"+": 1, "-": -1}[sign] for sign in name) for name, _ in controls[3].options]
+    assert tuple(signs) == rrr.WORKING_MODES
+
+
+@pytest.mark.parametrize(("number", "value"), list(enumerate((-40, 70, -25, 3))))
+def test_parallel_each_control_moves_picture_and_numbers(number, value):
+    controls, words, image = parallel()
+    picture, text, home = image.value, words.value, controls[number].value
+    controls[number].value = value
+    assert image.value != picture
+    assert words.value != text
+    controls[number].value = home
+    assert (image.value, words.value) == (picture, text)
+
+
+def test_parallel_says_which_leg_fails_and_how_far_outside_it_is():
+    _, words, image = parallel(50, 150, 30)
+    assert "leg 1 would span 31.25 mm and leg 3 would span 303.46 mm" in words.value
+    outside = rrr.constant_orientation_workspace(np.pi / 6).distances(np.array([50, 150]))[0]
+    assert f"{outside:.1f} mm outside the boundary" in words.value
+    assert "det A" not in words.value
+    assert image.value != parallel(50, 150, 31)[2].value
+
+
+def test_parallel_says_where_there_is_no_workspace():
+    assert "no workspace at all" in parallel(0, 0, 82)[1].value
+    assert "mm to the boundary" in parallel(0, 0, 81)[1].value
+
+
+def painted(image: widgets.Image, colour: str, right: bool = False) -> np.ndarray:
+    """Columns of the pixels of a colour, in the left or in the right half of the picture."""
+    picture = np.asarray(Image.open(io.BytesIO(image.value))).astype(int)
+    half = picture[:, 400:] if right else picture[:, :400]
+    return np.nonzero(np.abs(half - [int(colour[i : i + 2], 16) for i in (1, 3, 5)]).max(axis=-1) <= 3)[1]
+
+
+def test_parallel_draws_the_workspace_at_this_turn_and_the_robot_at_this_place():
+    light_blue = "#cce8f8"
+    sizes = [len(painted(parallel(150, 150, turn)[2], light_blue)) for turn in (0, 60)]
+    assert 4 < sizes[0] / sizes[1] < 8  # of areas it is 6; the robot hides some
+    platform = [painted(parallel(x, 0, 10)[2], "#d55e00").mean() for x in (-60, 60)]
+    assert 25 < platform[1] - platform[0] < 60  # 120 mm, and 0.36 pixels a mm
+
+
+def test_parallel_shows_the_sign_of_det_A_and_where_it_changes():
+    """In mode +++ it is negative in the middle, in mode --- positive; more dashed lines mean more dark pixels."""
+    for mode, (more, less) in ((0, (0, 2)), (7, (2, 0))):  # orange is below zero, purple above
+        picture = np.asarray(Image.open(io.BytesIO(parallel(100, -200, 0, mode)[2].value))).astype(int)
+        red_green_blue = picture[190:200, 565:580].mean(axis=(0, 1))
+        assert red_green_blue[more] > red_green_blue[less] + 20
+    dark = [len(painted(parallel(200, -200, 15, mode)[2], "#4d4d4d", right=True)) for mode in (0, 3)]
+    assert dark[1] > dark[0] + 30
+
+
+@pytest.mark.parametrize(("mode", "kind"), [(0, "type 1: a leg"), (1, "types 1 and 2")])
+def test_parallel_names_singularities(mode, kind):
+    _, words, _ = parallel(0, 120, 0, mode)  # leg 1 is folded; in mode 1 the others meet on the axis of symmetry
+    assert kind in words.value
+    assert "0.0 mm to the boundary" in words.value
+
+
+def test_determinants_have_no_unit():
+    pose, doubled = np.array([20.0, 30.0, 0.2]), rrr.Geometry(340, 260, 260, 580)
+    theta = rrr.inverse_kinematics(pose)
+    large = determinants(pose * [2, 2, 1], theta, doubled)
+    np.testing.assert_allclose(determinants(pose, theta, rrr.RRR), large)
+
+
+def test_determinants_are_largest_where_the_links_are_square_to_each_other_and_to_the_platform():
+    corners = np.array(rrr.RRR.platform_angles)
+    geometry = rrr.Geometry(110, 80, 60, np.hypot(60 + 110, 80), base_angles=tuple(corners + np.arctan2(80, 170)))
+    det_A, det_B = determinants(np.zeros(3), rrr.inverse_kinematics(np.zeros(3), geometry), geometry)
+    np.testing.assert_allclose(np.abs(det_A).max(), 1.5 * 3**0.5)
+    np.testing.assert_allclose(np.abs(det_B), 1)

@@ -138,8 +138,18 @@ def test_tables_hold_one_row_an_item():
     assert len(table) == 2 + len(section)
     assert all(line.count("|") == 5 for line in table)
     assert "$\\theta_{4}$ of Table 1.2" in report.summary("A1_forward_kinematics").data
-    assert report.ledger().data.count(".ipynb)") == len(report.LEDGER)
-    not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
-    assert len(report.errata().data.splitlines()) == 2 + len(not_holding)
     with pytest.raises(UnknownNameError):
         report.summary("A9")
+
+
+def test_the_ledger_links_to_the_cell_that_checks_an_item(monkeypatch):
+    monkeypatch.chdir(NOTEBOOKS)
+    links = re.findall(r"\[([^]]+)\]\(([^)]+)\.ipynb#cell-id=([^)]+)\)", report.ledger().data)
+    assert len(links) == len(report.LEDGER)
+    for name, notebook, cell_id in links:
+        key = name.replace("&nbsp;", " ")
+        assert report.LEDGER[key].notebook == notebook
+        (cell,) = [c for c in nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4).cells if c.id == cell_id]
+        assert f'report.check("{key}"' in cell.source
+    not_holding = [item for item in report.LEDGER.values() if item.verdict != "holds"]
+    assert len(report.errata().data.splitlines()) == 2 + len(not_holding)

@@ -257,6 +257,7 @@ def test_two_poses_that_share_alpha_are_both_found():
     assert len(sharing) == 2
     assert apart(sharing, pose).min() < 1e-9
     assert apart(sharing[0], sharing[1]) > 1
+    assert sharing[0, 0] < sharing[1, 0]
     assert np.nanmax(misses(found, theta, geometry)) < 1e-9
 
 
@@ -281,6 +282,16 @@ def test_assemble_picks_the_pose_nearest_to_the_one_named(rng):
     pose, theta = with_modes(rng, 20)
     for x, angles in zip(pose, theta, strict=True):
         assert apart(rrr.assemble(angles, x + [0.01, -0.01, 1e-4 - 2 * np.pi * np.sign(x[2])]), x) < 1e-6
+
+
+def test_two_poses_that_share_their_centre_are_both_found_and_told_apart():
+    """Motors that are symmetric about the y axis: the platform turned to the left, or as far to the right."""
+    theta = np.deg2rad([-90, 30, 150])
+    left, right = rrr.forward_kinematics(theta)[:2]
+    np.testing.assert_allclose(left, -right, atol=1e-9)
+    assert right[2] > 1
+    assert apart(rrr.assemble(theta, [0, 0, 0.5]), right) < 1e-9
+    assert apart(rrr.assemble(theta, [0, 0, -0.5]), left) < 1e-9
 
 
 # Self-motion

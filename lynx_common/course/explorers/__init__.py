@@ -8,6 +8,14 @@ from .arm import arm_explorer
 from .detour import detour_explorer
 from .limits import limits_explorer
 from .motion import motion_explorer
+from .parallel import parallel_explorer
 from .reach import reach_explorer
 
-__all__ = ["arm_explorer", "detour_explorer", "limits_explorer", "motion_explorer", "reach_explorer"]
+__all__ = [
+    "arm_explorer",
+    "detour_explorer",
+    "limits_explorer",
+    "motion_explorer",
+    "parallel_explorer",
+    "reach_explorer",
+]

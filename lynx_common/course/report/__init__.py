@@ -6,8 +6,11 @@ it to ``check``, which raises if the recorded verdict is not the one that it fin
 with the robots' modules, so that nothing can be compared with itself.
 """
 
+import json
 import re
 from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import sympy as sp
@@ -17,6 +20,7 @@ from ...errors import LedgerError, UnknownNameError
 from . import a1, a2, a3, b1, b2, b3, part2
 from .item import Item, differs
 
+CHECKED = re.compile(r'report\.check\("([^"]+)"')
 LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2) for item in notebook.ITEMS}
 
 
@@ -67,12 +71,12 @@ def summary(notebook: str) -> Markdown:
 
 
 def ledger() -> Markdown:
-    """All items, each with a link to the notebook that checks it."""
+    """All items, each with a link to the cell that checks it, in a notebook beside the one that asks."""
     return _table(LEDGER.values(), linked=True)
 
 
 def errata() -> Markdown:
-    """The items that do not hold as printed, each with a link to the notebook that shows it."""
+    """The items that do not hold as printed, each with a link to the cell that shows it."""
     return _table((item for item in LEDGER.values() if item.kind != "holds"), linked=True)
 
 
@@ -80,9 +84,19 @@ def _table(items: Iterable[Item], linked: bool = False) -> Markdown:
     rows = ["| item | report | what it says | verdict |", "|:--|:--|:--|:--|"]
     for item in sorted(items, key=_reading_order):
         key = item.key.replace(" ", "&nbsp;")
-        key = f"[{key}]({item.notebook}.ipynb)" if linked else key
+        key = (
+            f"[{key}]({item.notebook}.ipynb#cell-id={_checking_cells(item.notebook)[item.key]})" if linked else key
+        )
         rows.append(f"| {key} | {item.where} | {_typeset(item.says)} | {_typeset(item.verdict)} |")
     return Markdown("\n".join(rows))
+
+
+@cache
+def _checking_cells(notebook: str) -> dict[str, str]:
+    """Identifiers of the cells that call ``check``, by key."""
+    cells = json.loads(Path(f"{notebook}.ipynb").read_text(encoding="utf-8"))["cells"]
+    calls = ((key, cell["id"]) for cell in cells for key in CHECKED.findall("".join(cell["source"])))
+    return dict(calls)
 
 
 def _typeset(text: str) -> str:

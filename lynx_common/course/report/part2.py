@@ -15,7 +15,7 @@ from .part2_results import NOTEBOOK
 X_c, Y_c, alpha = POSE
 S_A, L, r_platform, *_ = DESIGN
 x_PP, y_PP, x_PB, y_PB, theta, psi, t = sp.symbols("x_PP y_PP x_PB y_PB theta psi t", real=True)
-e_1, e_2, e_3, i = sp.symbols("e_1 e_2 e_3 i", real=True)
+e_1, e_2, e_3, i, sign = sp.symbols("e_1 e_2 e_3 i sign", real=True)
 C, R = sp.Matrix([X_c, Y_c]), sp.Matrix([[cos(alpha), -sin(alpha)], [sin(alpha), cos(alpha)]])
 R_BC = sp.MatrixSymbol("R_BC", 2, 2)
 
@@ -84,7 +84,7 @@ ITEMS = [
     _item(
         11,
         "its two roots",
-        sp.Matrix([(-e_1 + ROOT) / (e_3 - e_2), (-e_1 - ROOT) / (e_3 - e_2)]),
+        sp.Eq(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
         "holds, if e_3 is not e_2; there it is linear, with one root -e_3 / e_1, and the other angle is 180 deg",
         condition={sp.Eq(e_2, e_3): sp.false},
     ),

@@ -28,9 +28,8 @@ def test_time_of_import(tables: Tables):
         return lambda: subprocess.run([sys.executable, "-c", program], check=True, capture_output=True)
 
     first = f"{PROGRAMS[OURS]}\narm.forward_kinematics([0] * 5)"
-    times = side_by_side(
-        {n: process(p) for n, p in PROGRAMS.items()} | {"first": process(first)}, rounds=4, least=0
-    )
+    calls = {name: process(program) for name, program in (PROGRAMS | {"first": first}).items()}
+    times = side_by_side(calls, rounds=4, least=0)
     python = times.pop("")
     with_pose = times.pop("first") - python
     tables.compare("import", {name: t - python for name, t in times.items()})
@@ -38,11 +37,11 @@ def test_time_of_import(tables: Tables):
 
 
 def test_time_of_each_notebook(tables: Tables, tmp_path: Path):
-    """Run again and compared, as in `make test`; time of its kernel, two of which run at once."""
+    """Run again and compared, as by `make test`; its own time, while another runs on the other core."""
     results = tmp_path / "results.xml"
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     command = [sys.executable, "-m", "pytest", "-q", f"--junitxml={results}", "notebooks"]
-    assert subprocess.run(command, cwd=ROOT, env=environment, capture_output=True).returncode == 0
+    subprocess.run(command, cwd=ROOT, env=environment, capture_output=True)  # whether they pass is not asked here
     seconds = Counter()
     for case in ElementTree.parse(results).iter("testcase"):
         seconds[case.get("classname").split(".")[-2]] += float(case.get("time"))

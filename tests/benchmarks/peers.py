@@ -1,7 +1,7 @@
-"""The same arm in other packages, each built from its DH table and used in the fastest way that its documentation shows.
+"""The same arm in other packages, each built from its DH table and used in the fastest way that is documented.
 
-None has this arm's inverse kinematics in closed form: each searches, from a start, for one solution of one pose. All are
-asked for the same tolerance.
+None has this arm's inverse kinematics in closed form: each searches, from a start, for one solution of one pose.
+All are asked for the same tolerance.
 """
 
 from collections.abc import Callable

@@ -45,6 +45,13 @@ def test_section_1_1_is_complete():
     assert keys <= report.LEDGER.keys()
 
 
+def test_section_2_is_complete():
+    keys = {f"eq. 2.{i}" for i in range(1, 14)} | {
+        f"{kind} 2.{i}" for kind in ("Table", "Fig.") for i in range(1, 5)
+    }
+    assert keys <= report.LEDGER.keys()
+
+
 @pytest.mark.parametrize("key", report.LEDGER)
 def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
     item = report.LEDGER[key]

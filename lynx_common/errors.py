@@ -3,6 +3,7 @@
 Each takes the facts, keeps them as attributes and writes the sentence itself.
 """
 
+from collections.abc import Sequence
 from math import degrees
 
 
@@ -143,3 +144,55 @@ class SelfMotionError(LynxError):
         self.theta = theta
         angles = ", ".join(f"{degrees(angle):.2f}" for angle in theta)
         super().__init__(f"With the motors locked at {angles} deg the platform can still move: they fix no pose.")
+
+
+class ScrewError(LynxError, ValueError):
+    """A screw that is no unit screw, or none at all; ``length`` is that of its axis."""
+
+    def __init__(self, expected: str, length: float):
+        self.expected, self.length = expected, length
+        super().__init__(f"{expected}; the one given has length {length:.6g}.")
+
+
+class NotFreeError(LynxError):
+    """A posture, ``q`` in radians, that a planner was told is not free."""
+
+    def __init__(self, q: Sequence[float]):
+        self.q = q
+        angles = ", ".join(f"{degrees(angle):.2f}" for angle in q)
+        super().__init__(f"The posture ({angles}) deg is not free.")
+
+
+class NoPathError(LynxError):
+    """No path within the budget; the nearest of the ``postures`` reached is ``distance`` radians from the goal."""
+
+    def __init__(self, iterations: int, postures: int, distance: float):
+        self.iterations, self.postures, self.distance = iterations, postures, distance
+        super().__init__(
+            f"No path was found in {iterations} iteration{'s' * (iterations > 1)}: "
+            f"of the {postures} postures reached, the nearest to the goal is {degrees(distance):.2f} deg away "
+            "from it. A larger budget may find one."
+        )
+
+
+class MarginError(LynxError):
+    """A smallest singular value that is ``asked`` for where (``where``) no more than ``best`` is possible."""
+
+    def __init__(self, asked: float, best: float, where: str):
+        self.asked, self.best, self.where = asked, best, where
+        super().__init__(
+            f"A smallest singular value of {asked:.2f} cannot be kept: {where} allows {best:.2f} at most."
+        )
+
+
+class SingularError(LynxError):
+    """A place too near to a singularity: its smallest singular ``value`` is below what is ``asked``, because of
+    ``factors`` (their names); ``nearest`` is the nearest place (x, y, z) that keeps it."""
+
+    def __init__(self, factors: Sequence[str], value: float, asked: float, nearest: Sequence[float]):
+        self.factors, self.value, self.asked, self.nearest = tuple(factors), value, asked, tuple(nearest)
+        place = ", ".join(f"{x:.2f}" for x in nearest)
+        super().__init__(
+            f"Too near to a singularity ({' and '.join(factors)}): smallest singular value {value:.2f}, where "
+            f"{asked:.2f} is asked for. The nearest place that has it is ({place})."
+        )

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from lynx_common import arm, dh, rrr, workspace
+from lynx_common import arm, dh, rrr, screws, workspace
 from lynx_common.course import exercises
-from lynx_common.course.exercises import a2, b1, b2, b3, part2
+from lynx_common.course.exercises import a2, b1, b2, b3, part2, part3
 from lynx_common.course.exercises.a1 import ANGLES, CAMERA
 from lynx_common.errors import UnknownNameError
 from lynx_common.symbolic import P, Q, numeric, tidy
@@ -73,6 +73,10 @@ RIGHT = {
     ],
     "P2.3": [230, [230.0], sp.Integer(230)],
     "P2.4": [np.arccos(0.75), 0.7227, sp.acos(sp.Rational(3, 4))],
+    "P3.1": [[2, 2, 1, 1, 3], np.array([2, 2, 1, 1, 3]), sp.Matrix([2, 2, 1, 1, 3]), [2.0, 2, 1, 1, 3]],
+    "P3.2": [1.231, [1.23096], 2 * sp.asin(1 / sp.sqrt(3)), sp.acos(sp.Rational(1, 3))],
+    "P3.4": [[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, -2.5, 0], sp.Matrix([0, 0, 0, 3, 4, 0]), [[0, 0, 0, 0.6, 0.8, 0]]],
+    "P3.3": [0.8763, [0.87630], sp.acos(sp.Rational(16, 25))],
     "A3.1": [[0.25, 0, 0.15], sp.Matrix([0.25, 0, 0.15]), [[0.25, 0, 0.15]]],
     "A3.2": [
         behind[2],
@@ -272,6 +276,43 @@ WRONG = {
         (0.6193, "the report's robot"),
         (1, "0.2773 rad too much"),
     ],
+    "P3.1": [
+        (..., "not attempted"),
+        ([2, 2, 2, 2, 3], "more than one direction may be lost"),
+        ([3, 4, 3, 3, 4], "ranks of the whole Jacobian"),
+        ([1, 1, 2, 2, 0], "the directions lost"),
+        ([2, 3, 1, 2, 3], "look again at posture 2, 4;"),
+        ([2, 2, 1], "shape (3,), where (5,) is expected"),
+    ],
+    "P3.2": [
+        (..., "not attempted"),
+        (70.53, "right in degrees"),
+        (pi / 2, "the arm's reach shrinks"),
+        (2 * pi / 3, "the smallest singular value is largest"),
+        (-1.231, "the other elbow"),
+        (part3.BEND / 2, "half of it"),
+        (1.3310, "0.1000 rad too much"),
+        (1.1310, "0.1000 rad too little"),
+    ],
+    "P3.3": [
+        (..., "not attempted"),
+        (50.21, "right in degrees"),
+        (np.arcsin(0.6), "makes the determinant 0.6"),
+        (np.arccos(0.4), "its square root"),
+        (pi - part3.LEAN, "the least lean"),
+        (0.9763, "0.1000 rad too much"),
+    ],
+    "P3.4": [
+        (..., "not attempted"),
+        ([0] * 6, "a wrench of zeros"),
+        ([0, 0, 1, 0, 0, 0], "the slide can move along z"),
+        ([0, 0, 1, 1, 0, 0], "the slide can move along z"),
+        ([0, 0, 0, 0, 0, 1], "turn its tool about z"),
+        ([0, 0, 0, 1, 0, 1], "turn its tool about z"),
+        ([1, 0, 0, 0, 0, 0], "The force comes first"),
+        ([0, 1, 0, 1, 0, 0], "a level force"),
+        ([1, 0, 0], "shape (3,), where (6,) is expected"),
+    ],
     "A3.1": [
         (..., "not attempted"),
         ([0.25, 0, 0.05], "the gripper, not the wrist"),
@@ -379,7 +420,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
 @pytest.mark.parametrize("name", exercises.EXERCISES)
 def test_the_worked_solution_is_right(name, capsys):
     namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
-    namespace |= dict(workspace=workspace, rrr=rrr, x=x, y=y, z=z)
+    namespace |= dict(workspace=workspace, rrr=rrr, screws=screws, x=x, y=y, z=z)
     namespace |= {symbol.name: symbol for symbol in (*Q, *P)} | {"T_0_3": dh.chain(arm.dh_table())[2]}
     shown = exercises.solution(name).data
     exec(shown.split("```python\n")[1].removesuffix("\n```"), namespace)

@@ -12,6 +12,8 @@ from lynx_common.course import explorers
 from lynx_common.course.explorers.parallel import determinants
 from lynx_common.errors import InputError
 
+PART_3 = arm.Geometry(5, 10, 10, 0)
+
 
 @pytest.fixture
 def controls() -> dict[str, object]:
@@ -342,3 +344,83 @@ def test_determinants_are_largest_where_the_links_are_square_to_each_other_and_t
     det_A, det_B = determinants(np.zeros(3), rrr.inverse_kinematics(np.zeros(3), geometry), geometry)
     np.testing.assert_allclose(np.abs(det_A).max(), 1.5 * 3**0.5)
     np.testing.assert_allclose(np.abs(det_B), 1)
+
+
+def row(words: widgets.HTML, name: str) -> str:
+    return words.value.split(f"<td>{name}</td><td>")[1].split("<")[0]
+
+
+def test_singularity_says_what_the_jacobian_is():
+    sliders, words, image = parts(explorers.singularity_explorer())
+    assert [s.value for s in sliders] == [30, -80]
+    pictures = [image.value]
+    for values in ((30, -80), (-100, 33), (150, 170)):
+        for slider, value in zip(sliders, values, strict=True):
+            slider.value = value
+        q = np.deg2rad([0, *values, 0, 0])
+        J = arm.jacobian(q, arm.Geometry(5, 10, 10, 0))[:3, :3]
+        singular = np.linalg.svd(J, compute_uv=False)
+        assert row(words, "determinant") == f"{np.linalg.det(J):.1f}"
+        assert row(words, "singular values") == " ".join(f"{value:.2f}" for value in singular)
+        assert row(words, "square to the plane") == f"{np.hypot(*arm.joint_positions(q, PART_3)[3, :2]):.2f}"
+        assert row(words, "speed 1 in the worst direction") == f"{1 / singular[-1]:.2f} rad/s"
+        assert row(words, "singular") == "no"
+        pictures.append(image.value)
+    assert len(set(pictures)) == 3
+    sliders[0].value, sliders[1].value = 30, -80
+    assert image.value == pictures[0]
+
+
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        ((30, 0), "elbow"),
+        ((30, 180), "shoulder, elbow"),
+        ((30, -180), "shoulder, elbow"),
+        ((90, 0), "shoulder, elbow"),
+        ((45, 90), "shoulder"),
+        ((-45, -90), "shoulder"),
+        ((44, 90), "no"),
+        ((30, 1), "no"),
+    ],
+)
+def test_singularity_names_the_factors_that_vanish(values, expected):
+    sliders, words, _ = parts(explorers.singularity_explorer())
+    for slider, value in zip(sliders, values, strict=True):
+        slider.value = value
+    assert row(words, "singular") == expected
+    assert ("no joint speed will do" in words.value) == (expected != "no")
+
+
+def test_singularity_of_another_arm_is_that_of_its_wrist():
+    sliders, words, _ = parts(explorers.singularity_explorer(arm.Geometry(0.1, 0.2, 0.15, 0.1)))
+    sliders[1].value = 180
+    assert row(words, "singular") == "elbow"
+    sliders[0].value = 90
+    assert row(words, "singular") == "shoulder, elbow"
+
+
+def middle(image: widgets.Image, colour: tuple[int, int, int], left: bool) -> np.ndarray:
+    """Where the pixels of a colour are in one half of the picture, on average: to the right, and up."""
+    picture = pixels({"image": image}).astype(int)
+    half = slice(0, picture.shape[1] // 2) if left else slice(picture.shape[1] // 2, None)
+    down, right = np.nonzero(abs(picture[:, half, :3] - colour).max(axis=-1) < 3)
+    assert right.size > 20
+    return np.array([right.mean(), -down.mean()])
+
+
+def test_singularity_moves_the_point_on_the_map_the_arm_and_the_ellipse():
+    sliders, _, image = parts(explorers.singularity_explorer())
+    orange, grey = (230, 159, 0), (77, 77, 77)
+    sliders[0].value, sliders[1].value = 0, 60
+    point, ellipse, links = middle(image, orange, True), middle(image, orange, False), middle(image, grey, False)
+    sliders[0].value = 60  # theta_2 is to the right on the map; the arm rises
+    right, _ = middle(image, orange, True) - point
+    assert right > 30
+    assert middle(image, orange, False)[1] > ellipse[1] + 30
+    assert middle(image, grey, False)[1] > links[1] + 20
+    point = middle(image, orange, True)
+    sliders[1].value = 120
+    across, up = middle(image, orange, True) - point
+    assert abs(across) < 3
+    assert up > 30

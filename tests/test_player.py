@@ -37,6 +37,14 @@ def test_without_items_and_lines_there_are_none():
     assert data["lines"] == []
 
 
+def test_items_are_squares_or_balls_of_a_radius():
+    assert held(player(POINTS, moving=ITEMS))["radius"] == 0
+    assert held(player(POINTS, moving=ITEMS, radius=0.15))["radius"] == 0.15
+    for radius in (-0.1, np.nan, np.inf):
+        with pytest.raises(InputError, match="radius of the items"):
+            player(POINTS, moving=ITEMS, radius=radius)
+
+
 def test_two_calls_give_the_same_page_and_minus_zero_is_zero():
     assert player(POINTS).data == player(POINTS.copy()).data
     assert player(0 * POINTS).data == player(-0.0 * POINTS).data

@@ -21,6 +21,7 @@ def player(
     seconds: float = 6,
     from_above: bool = False,
     title: str = "The arm in motion",
+    radius: float = 0.0,
 ) -> HTML:
     """A player with a play button, a slider for the time, and a view that is turned by dragging.
 
@@ -33,17 +34,19 @@ def player(
     still : arrays, shape (m, 3)
         Lines that do not move: belts, a planned path.
     moving : array, shape (n, j, 3)
-        Items that are drawn as squares.
+        Items that are drawn as squares; as balls where ``radius``, in metres, is not 0.
     from_above : whether the view opens against z, x to the right and y up, for a robot in the plane
     title : what a reader hears who cannot see it
 
-    Raises InputError where a number is not finite or the shapes do not match.
+    Raises InputError where a number is not finite, the shapes do not match or the radius is negative.
     """
     points = _finite(points)
     moving = _finite(np.empty((len(points), 0, 3)) if moving is None else moving)
     if points.ndim != 3 or len(moving) != len(points) or not len(points):
         raise InputError(f"Frames (n, k, 3) are expected; {points.shape} and {moving.shape} were given.")
-    data = {"arm": points, "items": moving, "lines": list(map(_finite, still or []))}
+    if not (np.isfinite(radius) and radius >= 0):
+        raise InputError(f"The radius of the items is finite and not negative; {radius} was given.")
+    data = {"radius": float(radius), "arm": points, "items": moving, "lines": list(map(_finite, still or []))}
     numbers = json.dumps(data | {"seconds": seconds}, default=np.ndarray.tolist, separators=(",", ":"))
     page = PAGE.replace("DATA", numbers)
     for name, angle in zip(("TURN", "TILT"), FROM_ABOVE if from_above else FROM_THE_SIDE, strict=True):

@@ -52,7 +52,8 @@ def singularity_type(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = R
     S_A, L, r_platform, *_ = geometry
     sines = np.diagonal(B, axis1=-2, axis2=-1) / (S_A * L)
     first = np.abs(sines).min(axis=-1) <= SINGULAR
-    second = np.abs(np.linalg.det(A / np.array([L, L, L * r_platform]))) <= SINGULAR
+    with np.errstate(invalid="ignore"):  # NaN
+        second = np.abs(np.linalg.det(A / np.array([L, L, L * r_platform]))) <= SINGULAR
     return np.where(np.isfinite(sines).all(axis=-1), first + 2.0 * second, np.nan)
 
 

@@ -10,10 +10,10 @@ None of them raises for a wrong answer, so that a notebook with open exercises r
 from IPython.display import Markdown
 
 from ...errors import UnknownNameError
-from . import a1, a2, a3, b1, b2, b3, part2
+from . import a1, a2, a3, b1, b2, b3, part2, part3
 from .exercise import Exercise
 
-NOTEBOOKS = (a1, a2, a3, b1, b2, b3, part2)
+NOTEBOOKS = (a1, a2, a3, b1, b2, b3, part2, part3)
 EXERCISES: dict[str, Exercise] = {
     name: exercise for notebook in NOTEBOOKS for name, exercise in notebook.EXERCISES.items()
 }

@@ -10,6 +10,7 @@ from .limits import limits_explorer
 from .motion import motion_explorer
 from .parallel import parallel_explorer
 from .reach import reach_explorer
+from .singularity import singularity_explorer
 
 __all__ = [
     "arm_explorer",
@@ -18,4 +19,5 @@ __all__ = [
     "motion_explorer",
     "parallel_explorer",
     "reach_explorer",
+    "singularity_explorer",
 ]

@@ -17,11 +17,11 @@ import sympy as sp
 from IPython.display import Markdown
 
 from ...errors import LedgerError, UnknownNameError
-from . import a1, a2, a3, b1, b2, b3, part2
+from . import a1, a2, a3, b1, b2, b3, part2, part3
 from .item import Item, differs
 
 CHECKED = re.compile(r'report\.check\("([^"]+)"')
-LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2) for item in notebook.ITEMS}
+LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2, part3) for item in notebook.ITEMS}
 
 
 def printed(key: str) -> np.ndarray | sp.Basic | bool:

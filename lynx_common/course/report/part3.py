@@ -1,0 +1,135 @@
+"""Part III of the report, singularity avoidance: equations, table, figures and claims. Lengths have no unit."""
+
+import numpy as np
+import sympy as sp
+
+from ...symbolic import Q
+from . import a1
+from .item import Item
+
+NOTEBOOK = "Part3_singularity_avoidance"
+theta_1, theta_2, theta_3, theta_4 = ANGLES = Q[:4]
+
+TABLE_3_1 = sp.Matrix([[0, sp.pi / 2, 5, theta_1], [10, 0, 0, theta_2], [10, 0, 0, theta_3], [0, 0, 0, theta_4]])
+
+# The axes z and origins p of the frames h = i - 1 and i, and the position of the end; (3.2) is about these.
+Z_H, P_H, Z_I, P_I, P_END = (
+    sp.Matrix(sp.symbols(f"{name}_x {name}_y {name}_z", real=True)) for name in ("z_h", "p_h", "z_i", "p_i", "p")
+)
+FRAME_I = dict(zip((*Z_H, *P_H), (*Z_I, *P_I), strict=True))
+
+# (3.3) in blocks, and what they are by the table: derivatives of the end's position, axes of the frames before.
+LINKS = [a1.LINK.subs(dict(zip(a1.ROW, TABLE_3_1.row(i), strict=True))) for i in range(4)]
+FRAMES = [sp.eye(4), *(sp.prod(LINKS[1 : i + 1], LINKS[0]) for i in range(4))]
+LINEAR = [sp.MatrixSymbol(f"J_v{i}", 3, 1) for i in range(1, 5)]
+ANGULAR = [sp.MatrixSymbol(f"J_w{i}", 3, 1) for i in range(1, 5)]
+RATES = {J: sp.ImmutableMatrix(FRAMES[-1][:3, 3].diff(angle)) for J, angle in zip(LINEAR, ANGLES, strict=True)}
+AXES = {J: sp.ImmutableMatrix(T[:3, 2]) for J, T in zip(ANGULAR, FRAMES, strict=False)}
+
+WAYPOINTS = np.array([[0, 0, 5], [10, 0, 10], [15, 5, 10]])
+
+
+def _claim(number: int, where: str, says: str, verdict: str = "holds") -> Item:
+    return Item(f"claim P3.{number}", where, says, True, NOTEBOOK, verdict)
+
+
+ITEMS = [
+    Item(
+        "eq. 3.1",
+        "3.2",
+        "the transform of one link from its row of Table 3.1",
+        sp.Eq(sp.MatrixSymbol("T_i", 4, 4), a1.LINK),
+        NOTEBOOK,
+        "holds",
+    ),
+    Item(
+        "eq. 3.2",
+        "3.2",
+        "the velocity (v, omega) of the end for a turn of joint i, from an axis z_i and a point p_i of it",
+        sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
+        NOTEBOOK,
+        "holds, if z_i and p_i belong to the axis that joint i turns about: in Table 3.1 that of frame i - 1",
+        condition=FRAME_I,
+    ),
+    Item(
+        "eq. 3.3",
+        "3.2",
+        "the whole Jacobian, a column for each joint",
+        sp.Eq(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
+        NOTEBOOK,
+        "holds",
+        meaning=RATES | AXES,
+    ),
+    Item("eq. 3.4", "3.2", "three waypoints; the arm reaches them", WAYPOINTS, NOTEBOOK, "holds", digits=6),
+    Item("Table 3.1", "3.2", "the DH table of a four-joint arm", TABLE_3_1, NOTEBOOK, "holds"),
+    Item(
+        "Fig. 3.1",
+        "3.3",
+        "least and largest determinant, for theta_1 all round and the other angles 0",
+        np.array([-3.8e-14, 4.0e-14]),
+        NOTEBOOK,
+        "wrong: on the whole line it is 0; what is drawn is rounding error",
+        digits=15,
+        right=np.zeros(2),
+    ),
+    Item("Fig. 3.2", "3.3", "the waypoints, joined by two lines", WAYPOINTS, NOTEBOOK, "holds", digits=0),
+    _claim(
+        1,
+        "3.1",
+        "in a singular configuration a robot loses degrees of freedom",
+        "wrong: so does every singular arm; but the platform of a parallel robot gains one when its legs become "
+        "dependent",
+    ),
+    _claim(2, "3.1", "where the determinant is zero, there are directions in which the end cannot move"),
+    _claim(3, "3.2", "the arm has four degrees of freedom"),
+    _claim(
+        4,
+        "3.2",
+        "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
+        "wrong: it is another matrix, whose determinant is zero in every posture",
+    ),
+    _claim(
+        5,
+        "3.2",
+        "varying theta_1, with the other angles 0, shows which configurations are singular",
+        "wrong: the determinant does not depend on theta_1, and all of these configurations are singular",
+    ),
+    _claim(
+        6,
+        "3.3",
+        "peaks and troughs of the determinant are the most and the least controllable configurations",
+        "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
+    ),
+    _claim(
+        7,
+        "3.3",
+        "the trajectory is smooth",
+        "wrong: at the second waypoint its direction changes by 50.8 deg",
+    ),
+    _claim(
+        8,
+        "3.3",
+        "the trajectory avoids singular configurations",
+        "wrong: it begins in one, at the shoulder, where the rank is 1",
+    ),
+    _claim(
+        9,
+        "3.3",
+        "the plot of the determinant validates the trajectory",
+        "wrong: the plot is of straight postures, and the trajectory has none",
+    ),
+    _claim(
+        10,
+        "3.4",
+        "the determinant of the position part may overlook singularities that have to do with orientation",
+        "wrong: for this arm it overlooks none; it reports more than there are, since on the base axis the four "
+        "twists stay independent",
+    ),
+    _claim(11, "3.4", "the whole Jacobian and a second-order criterion tell more than the determinant"),
+    _claim(
+        12,
+        "3.4",
+        "the analysis rests on screw theory",
+        "wrong: it takes the upper halves of four screws, and what these say depends on the point of reference",
+    ),
+]

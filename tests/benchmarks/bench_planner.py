@@ -1,0 +1,73 @@
+"""Speed and convergence of the planner, on the scene of the notebook's paths and on one with more in the way."""
+
+import time
+from functools import cache
+
+import numpy as np
+import pytest
+
+from lynx_common import arm, obstacles, planner
+
+GEOMETRY = arm.Geometry(5, 10, 10, 0)  # report Table 3.1, no units
+LIMITS = arm.JOINT_LIMITS[:3]
+SMALLEST, MARGIN = 4.0, 0.5  # of the singular values; from obstacles
+WAYPOINTS = np.array([[10, 0, 10], [15, 5, 10]])  # report eq. (3.4)
+SCENES = {
+    "notebook": (WAYPOINTS, [obstacles.Sphere((13.5, 1, 10), 2.5)]),
+    "crowded": (
+        np.array([[0, -15, 8], [-4, 14, 8]]),
+        [obstacles.Sphere((9, -9, 9), 4), obstacles.Sphere((11, 5, 10), 5)],
+    ),
+}
+SEEDS = range(10)
+
+
+def free_in(balls):
+    def free(q):
+        """Smallest singular value, in closed form (notebook Part 3), and clearance of the whole arm."""
+        distance = np.abs(10 * np.cos(q[:, 1]) + 10 * np.cos(q[:, 1] + q[:, 2]))
+        trace, det = 100 * (3 + 2 * np.cos(q[:, 2])), 100 * np.abs(np.sin(q[:, 2]))
+        elbow = det / np.sqrt((trace + np.sqrt(trace**2 - 4 * det**2)) / 2)
+        posture = np.concatenate([q, np.zeros((len(q), 2))], axis=1)
+        clear = [obstacles.clearance(posture, ball, GEOMETRY) >= MARGIN for ball in balls]
+        return (np.minimum(distance, elbow) >= SMALLEST) & np.logical_and.reduce(clear)
+
+    return free
+
+
+def problem(scene):
+    places, balls = SCENES[scene]
+    start, goal = arm.inverse_kinematics(places, 0, geometry=GEOMETRY)[:, 0, :3]
+    return free_in(balls), LIMITS, start, goal
+
+
+@cache
+def searches(scene, iterations):
+    """Seconds and plan of each seed."""
+    found = []
+    for seed in SEEDS:
+        began = time.perf_counter()
+        plan = planner.plan(*problem(scene), iterations, seed)
+        found.append((time.perf_counter() - began, plan))
+    return found
+
+
+@pytest.mark.parametrize("scene", ["notebook"])
+def test_a_path_within_2000_iterations_and_2_seconds(scene):
+    seconds, plans = zip(*searches(scene, 2000), strict=True)
+    first = [int(np.isfinite(plan.history).argmax()) + 1 for plan in plans]
+    print(f"\n{scene}: first path after {np.median(first):.0f} iterations (at most {max(first)}); ", end="")
+    print(f"2,000 iterations in {np.median(seconds):.2f} s (at most {max(seconds):.2f} s)")
+    assert np.median(seconds) <= 2
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_within_5_percent_of_the_long_run_best_after_20_000_iterations(scene):
+    """The best known: the least travel of ten seeds, 20,000 iterations and 5,000 shortcuts each."""
+    free = problem(scene)[0]
+    seconds, plans = zip(*searches(scene, 20_000), strict=True)
+    best = min(planner.joint_travel(planner.shortcut(free, plan.path, 5000)) for plan in plans)
+    at = {n: np.median([plan.history[n - 1] for plan in plans]) / best - 1 for n in (500, 2000, 20_000)}
+    above = ", ".join(f"{share:.2%} after {n:,}" for n, share in at.items())
+    print(f"\n{scene}: best {best:.4f} rad; median above it {above}; {np.median(seconds):.1f} s")
+    assert at[20_000] <= 0.05

@@ -116,13 +116,16 @@ def test_no_sample_of_a_motion_is_nearer_than_its_certificate(p, q, centre, mini
 
 
 @few
-@given(poses)
+@given(near_poses | poses)
 def test_every_leg_that_closes_has_its_lengths(pose):
     theta = rrr.inverse_kinematics(pose)
     assert np.isfinite(theta).all() == rrr.reachable(pose)
     distal = np.linalg.norm(rrr.platform_joints(pose) - rrr.elbows(theta), axis=-1)
     driven = np.linalg.norm(rrr.elbows(theta) - rrr.base_joints(), axis=-1)
     closes = np.isfinite(theta)
+    sines = np.diagonal(rrr.jacobians(pose, theta)[1], axis1=-2, axis2=-1) / (rrr.RRR.S_A * rrr.RRR.L)
+    known = np.isfinite(sines)  # where all three close
+    assert (sines[known] * np.array(rrr.WORKING_MODES)[known] >= -1e-5).all()
     np.testing.assert_allclose(distal[closes], rrr.RRR.L, atol=1e-4)  # stretched: REACH_TOLERANCE's square root
     np.testing.assert_allclose(driven[closes], rrr.RRR.S_A, atol=1e-9)
 

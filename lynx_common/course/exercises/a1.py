@@ -135,8 +135,8 @@ EXERCISES = {
             ),
             (
                 lambda pose: _is(pose, _forearm() @ PROXIMAL @ CAMERA),
-                "this is frame 3 of the proximal table, at the start of the forearm; the distal frame 3, whose pose "
-                "T_0_3 is, sits at its end.",
+                "this is frame 3 of the proximal table, at the start of the forearm; frame 3 of the distal one, "
+                "whose pose T_0_3 is, sits at its end.",
             ),
             (lambda pose: _is(pose, _forearm()), "this is frame 3 itself; the camera is shifted from it."),
             (lambda pose: _is(pose, np.linalg.inv(_forearm() @ CAMERA)), "this is the base seen from the camera."),

@@ -5,8 +5,8 @@ A peer that takes one configuration at a time gets fewer in a loop, and its time
 
 import numpy as np
 import pytest
-from conftest import OURS, Tables, side_by_side
 from peers import PEERS, TOLERANCE, Peer
+from timing import OURS, Tables, side_by_side
 
 from lynx_common import arm, workspace
 

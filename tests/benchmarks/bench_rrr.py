@@ -4,7 +4,7 @@ import time
 import tracemalloc
 
 import numpy as np
-from conftest import shown
+from timing import shown
 
 from lynx_common import rrr
 

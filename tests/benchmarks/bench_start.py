@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-from conftest import OURS, Tables, shown, side_by_side
+from timing import OURS, Tables, shown, side_by_side
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = {

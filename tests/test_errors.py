@@ -1,16 +1,19 @@
-"""Every error class of the package, by a call that a user could make and that gets it."""
+"""Every error class of the package: by a call that gets it, or by the notebook whose own functions raise it."""
 
 import inspect
 from collections.abc import Callable
 
+import nbformat
 import numpy as np
 import pytest
 
-from lynx_common import arm, errors, motion, rrr
+from lynx_common import arm, errors, motion, planner, rrr, screws
 from lynx_common.course import exercises, report
+from lynx_common.course.execute import NOTEBOOKS
 from lynx_common.errors import LynxError
 
 NEAR, FAR = np.array([[0, 0.3, 0.3, 0, 0], [0, 0.9, 0.3, 0, 0]])  # task coordinates
+PROBLEM = np.array([[-1, 1], [-1, 1]]), np.array([-0.5, 0]), np.array([0.5, 0])  # limits, start, goal
 OUTWARDS = np.deg2rad([90, 210, 330])  # motors of the 3-RRR
 
 
@@ -45,6 +48,15 @@ CALLS: dict[type[LynxError], Callable] = {
     errors.AssemblyError: lambda: rrr.solve([300, 0, 0]),
     errors.NoPoseError: lambda: rrr.assemble(OUTWARDS, [0, 0, 0]),
     errors.SelfMotionError: lambda: rrr.assemble(self_motion(), [0, 0, 0]),
+    errors.ScrewError: lambda: screws.revolute([0, 0, 2], [0, 0, 0]),
+    errors.NoPathError: lambda: planner.plan(lambda q: np.abs(q[:, 0]) > 0.1, *PROBLEM, iterations=20),
+    errors.NotFreeError: lambda: got(lambda: planner.plan(lambda q: q[:, 0] < 0, *PROBLEM)).cause,
+}
+
+# What the functions of a notebook raise: the notebook, and a sentence that it shows.
+IN_NOTEBOOKS = {
+    errors.MarginError: ("Part3_singularity_avoidance", "A smallest singular value of 8.00 cannot be kept"),
+    errors.SingularError: ("Part3_singularity_avoidance", "Too near to a singularity (shoulder)"),
 }
 
 
@@ -58,7 +70,7 @@ def got(call: Callable) -> LynxError:
 
 def test_no_error_is_missing_here():
     classes = {c for _, c in inspect.getmembers(errors, inspect.isclass) if issubclass(c, LynxError)}
-    assert classes - {LynxError} == CALLS.keys()
+    assert classes - {LynxError} == CALLS.keys() | IN_NOTEBOOKS.keys()
 
 
 @pytest.mark.parametrize("kind", CALLS, ids=lambda kind: kind.__name__)
@@ -71,3 +83,11 @@ def test_a_call_gets_this_error_with_its_facts_in_a_sentence(kind):
     assert facts or kind is errors.InputError
     numbers = [value for value in facts.values() if isinstance(value, int | float)]
     assert np.isfinite(numbers).all()
+
+
+@pytest.mark.parametrize("kind", IN_NOTEBOOKS, ids=lambda kind: kind.__name__)
+def test_a_notebook_raises_this_error_and_shows_its_sentence(kind):
+    name, sentence = IN_NOTEBOOKS[kind]
+    cells = [c for c in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if c.cell_type == "code"]
+    assert any(f"raise {kind.__name__}(" in cell.source for cell in cells)
+    assert sentence in "".join(str(output.get("data", "")) for cell in cells for output in cell.outputs)

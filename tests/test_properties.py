@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from lynx_common import arm, motion, obstacles, rrr
+from lynx_common import arm, motion, obstacles, rrr, screws
 
 few = settings(max_examples=25)
 
@@ -99,6 +99,15 @@ def test_clearance_changes_no_faster_than_its_lipschitz_constant(p, q, centre, r
 
 
 @few
+@given(configurations, numbers(-0.6, 0.6, 3))
+def test_clearance_is_that_of_the_nearest_point_of_the_links(q, centre):
+    points, share = arm.joint_positions(q), np.linspace(0, 1, 201)[:, None, None]
+    nearest = obstacles.Sphere(tuple(centre), 0.1).distance((1 - share) * points[:-1] + share * points[1:]).min()
+    found = obstacles.clearance(q, obstacles.Sphere(tuple(centre), 0.1))
+    assert nearest - 5e-4 <= found <= nearest + 1e-12  # samples are 1 mm apart, at most
+
+
+@few
 @given(configurations, configurations, numbers(-0.5, 0.5, 3), st.floats(0, 0.3))
 def test_no_sample_of_a_motion_is_nearer_than_its_certificate(p, q, centre, minimum):
     def f(q):
@@ -169,6 +178,69 @@ def test_a_and_b_tie_the_velocities_of_motors_and_platform(pose, mode, direction
     assume(np.abs(sines).min() > 0.05)  # where a leg is stretched theta has no derivative
     theta_dot = np.angle(np.exp(1j * (after - before))) / (2 * h)
     np.testing.assert_allclose(A @ x_dot, B @ theta_dot, atol=0.5)  # of some 10,000 mm^2/s
+
+
+# Screws.
+
+sixes = numbers(-3, 3, 6)
+motions = sixes.map(screws.exp)
+systems = st.lists(st.lists(st.integers(-2, 2), min_size=6, max_size=6), min_size=1, max_size=7)
+
+
+@few
+@given(motions)
+def test_a_motion_is_the_exponential_of_its_logarithm(T):
+    twist = screws.log(T)
+    assert np.linalg.norm(twist[3:]) <= np.pi + 1e-12
+    np.testing.assert_allclose(screws.exp(twist), T, atol=1e-11)
+    np.testing.assert_allclose(screws.exp(twist / 2) @ screws.exp(twist / 2), T, atol=1e-11)
+    np.testing.assert_allclose(screws.exp(-twist), screws.inverse(T), atol=1e-10)
+
+
+@few
+@given(motions, motions, sixes, sixes)
+def test_a_change_of_frame_moves_screws_and_keeps_the_power(S, T, twist, wrench):
+    """And two changes are one: their matrices multiply as the motions do."""
+    moved = screws.adjoint(T) @ twist
+    np.testing.assert_allclose(screws.hat(moved), T @ screws.hat(twist) @ screws.inverse(T), atol=1e-10)
+    np.testing.assert_allclose(screws.exp(moved), T @ screws.exp(twist) @ screws.inverse(T), atol=1e-9)
+    there = screws.adjoint(screws.inverse(T)).T @ wrench
+    power = screws.reciprocal_product(twist, wrench)
+    assert screws.reciprocal_product(moved, there) == pytest.approx(power, abs=1e-9)
+    np.testing.assert_allclose(screws.adjoint(S @ T), screws.adjoint(S) @ screws.adjoint(T), atol=1e-10)
+
+
+@few
+@given(sixes)
+def test_a_twist_is_its_line_pitch_and_magnitude(twist):
+    assume(twist.any())
+    line = screws.screw_axis(twist)
+    assert np.linalg.norm(line.axis) == pytest.approx(1)
+    assert abs(line.axis @ line.point) <= 1e-9 * (1 + np.linalg.norm(line.point))
+    again = line.magnitude * screws.screw(line.axis, line.point, line.pitch)
+    np.testing.assert_allclose(again, twist, atol=1e-9)
+
+
+@few
+@given(configurations, numbers(-1, 1, 5), lengths)
+def test_screws_and_link_frames_give_the_same_arm(q, q_dot, geometry):
+    frames = arm.link_frames(np.zeros(5), geometry)
+    joints = screws.revolute(frames[:5, :3, 2], frames[:5, :3, 3]).T
+    pose = arm.forward_kinematics(q, geometry)
+    np.testing.assert_allclose(screws.product_of_exponentials(joints, frames[5], q), pose, atol=1e-11)
+    velocity = screws.hat(screws.space_jacobian(joints, q) @ q_dot) @ np.append(pose[:3, 3], 1)
+    np.testing.assert_allclose(velocity[:3], (arm.jacobian(q, geometry) @ q_dot)[:3], atol=1e-10)
+
+
+@few
+@given(systems.map(lambda columns: np.array(columns, float).T), motions)
+def test_twists_and_the_wrenches_that_do_no_work_on_them_are_six_together_in_any_frame(twists, T):
+    wrenches = screws.reciprocal_system(twists)
+    rank = np.linalg.matrix_rank(twists)
+    assert screws.order(twists) == screws.order(screws.adjoint(T) @ twists) == rank
+    assert wrenches.shape == (6, 6 - rank)
+    assert np.linalg.matrix_rank(wrenches) == 6 - rank
+    np.testing.assert_allclose(twists.T @ wrenches, 0, atol=1e-9)
 
 
 # Motion.
@@ -242,6 +314,29 @@ def test_what_follows_a_path_is_on_it_and_within_limits(a, b, scaling):
     assert ((found.q[good] >= lower - 1e-8) & (found.q[good] <= upper + 1e-8)).all()
     if found.ok:
         assert np.abs(np.diff(found.q, axis=0)).max() <= np.pi / 2
+
+
+@few
+@given(numbers(0, 1, 5), numbers(0, 1, 5))
+def test_a_motion_that_exists_is_found_or_a_shorter_one(a, b):
+    """The path of a straight motion in joint space, within limits and on one elbow, can be followed."""
+    b[2] = b[2] if (a[2] < 0.5) == (b[2] < 0.5) else 1 - b[2]
+    assume(min(abs(a[2] - 0.5), abs(b[2] - 0.5)) > 1e-3)
+    lower, upper = arm.JOINT_LIMITS.T
+    q = lower + (a + np.linspace(0, 1, 60)[:, None] * (b - a)) * (upper - lower)
+    found = motion.follow(arm.task_coordinates(q))
+    assert found.ok
+    travelled, straight = (np.linalg.norm(np.diff(x, axis=0), axis=1).sum() for x in (found.q, q))
+    assert travelled <= straight + 1e-6
+
+
+@few
+@given(numbers(-1, 1, 5), numbers(-1, 1, 5), st.floats(0.1, 10), st.floats(0.1, 10))
+def test_steady_acceleration_from_rest_takes_the_time_that_it_takes(start, change, speed, acceleration):
+    q = start + np.linspace(0, 1, 20)[:, None] ** 2 * change
+    most = 2 * np.abs(change).max()
+    expected = max(most / speed, np.sqrt(most / acceleration))
+    assert motion.duration(q, speed, acceleration) == pytest.approx(expected, abs=1e-6)
 
 
 @few

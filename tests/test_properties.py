@@ -222,6 +222,16 @@ def test_a_twist_is_its_line_pitch_and_magnitude(twist):
 
 
 @few
+@given(sixes, numbers(-3, 3, 3), numbers(-3, 3, 3))
+def test_the_power_of_a_force_is_that_on_the_point_it_acts_on(twist, direction, point):
+    assume(np.linalg.norm(direction) > 0.1)
+    axis = direction / np.linalg.norm(direction)
+    velocity = (screws.hat(twist) @ np.append(point, 1))[:3]
+    power = screws.reciprocal_product(twist, screws.force(axis, point))
+    assert power == pytest.approx(velocity @ axis, abs=1e-9)
+
+
+@few
 @given(configurations, numbers(-1, 1, 5), lengths)
 def test_screws_and_link_frames_give_the_same_arm(q, q_dot, geometry):
     frames = arm.link_frames(np.zeros(5), geometry)

@@ -91,7 +91,7 @@ def pinocchio_() -> Peer:
 
 
 def ikpy_() -> Peer:
-    """With its own backend, NumPy and SciPy; it has no Jacobian for the user."""
+    """With NumPy and SciPy, which are faster here than its JAX backend; it has no Jacobian for the user."""
     links = [ikpy.link.DHLink(a=a, alpha=alpha, d=d) for a, alpha, d in TABLE]
     chain = ikpy.chain.Chain(links, active_links_mask=[True] * len(links))
 

@@ -25,8 +25,8 @@ site: .venv-site/ready  ## build the course as a web page that needs no server, 
 	.venv-site/bin/sphinx-build -q -W -E --keep-going -c site notebooks build/site
 	@echo "Open build/site/index.html in a browser."
 
-bench: .venv/ready  ## measure speed and memory
-	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
+bench: .venv-bench/ready  ## measure speed and memory, also against other packages
+	.venv-bench/bin/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
 browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromium: of the notebooks, and of the site
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
@@ -34,11 +34,12 @@ browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromiu
 	.venv-browser/bin/python tests/site_check.py
 
 clean:  ## remove what was made here, except work/
-	rm -rf .venv .venv-browser .venv-site figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv .venv-bench .venv-browser .venv-site figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find lynx_common tests notebooks \( -name __pycache__ -o -name .ipynb_checkpoints \) -prune -exec rm -rf {} +
 
 .venv/ready: requirements.txt pyproject.toml
 .venv-browser/ready: requirements-browser.txt
+.venv-bench/ready: requirements-bench.txt requirements.txt pyproject.toml
 .venv-site/ready: requirements-site.txt
 
 %/ready:

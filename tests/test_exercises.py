@@ -1,5 +1,7 @@
 """The exercises: right answers in any form pass, typical wrong ones are told what is wrong, nothing raises."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -19,6 +21,8 @@ c1, s1, c12, s12 = sp.cos(theta_1), sp.sin(theta_1), sp.cos(theta_1 + theta_2), 
 forearm, gripper = arm.link_frames(ANGLES)[[3, 5]]
 in_degrees = arm.link_frames(np.rad2deg(ANGLES))[3]
 scara = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]
+quarter = sp.pi / 2
+proximal = [dh.Row(0, 0, d_1, Q[0]), dh.Row(0, quarter, 0, Q[1]), dh.Row(L_1, 0, 0, Q[2])]
 
 x, y, z = sp.symbols("x y z")
 C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
@@ -220,6 +224,7 @@ WRONG = {
         (b3.KEEP - 0.1 * np.sqrt(2), "the largest height"),
         (0.1932, "for the spline"),
         (0.2, "the ends are at the margin"),
+        (185.2, "right in millimetres"),
         (0.18, "0.0052 m too little"),
     ],
     "B3.3": [
@@ -366,6 +371,7 @@ WRONG = {
         (arm.link_frames(ANGLES)[4] @ CAMERA, "link before the forearm or after it"),
         (np.linalg.inv(forearm @ CAMERA), "base seen from the camera"),
         ((forearm @ CAMERA).T, "transpose"),
+        (numeric(dh.chain(proximal, dh.modified)[2], Q, P)(ANGLES, arm.LYNX) @ CAMERA, "proximal"),
         ((forearm @ CAMERA)[:3, 3], "shape (3,), where (4, 4)"),
         (forearm, "this is frame 3 itself"),
         (forearm @ CAMERA @ CAMERA, "the axes are right, and the origin is 0.104 m from its place"),
@@ -378,6 +384,7 @@ WRONG = {
             "counted from the first",
         ),
         ([L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + d_3], "lowers the tool"),
+        (dh.chain(scara, dh.modified)[-1], "in the proximal way"),
         ([L_1 * s1 + L_2 * s12, L_1 * c1 + L_2 * c12, d_1 - d_3], "swapped"),
         (
             [L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + L_2 * sp.sin(theta_2) - d_3],
@@ -398,6 +405,23 @@ def verdict(name, answer, capsys):
 
 def test_every_exercise_is_tested():
     assert exercises.EXERCISES.keys() == RIGHT.keys() == WRONG.keys()
+
+
+def test_every_notebook_has_three_exercises_or_more():
+    count = Counter(name.partition(".")[0] for name in exercises.EXERCISES)
+    assert {"A1", "A2", "A3", "B1", "B2", "B3", "P2"} <= count.keys()
+    assert min(count.values()) >= 3
+
+
+@pytest.mark.parametrize("name", exercises.EXERCISES)
+def test_every_misconception_is_recognised_and_there_are_three_or_more(name):
+    """Each by some wrong answer of the table; and a right answer comes in two forms or more."""
+    exercise = exercises.EXERCISES[name]
+    said = {exercise.judge(answer).removeprefix("not yet: ") for answer, _ in WRONG[name]}
+    known = [sentence for _, sentence in exercise.misconceptions]
+    assert [sentence for sentence in known if sentence not in said] == []
+    assert len(known) >= 3
+    assert len(RIGHT[name]) >= 2
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,8 @@ import pytest
 import sympy as sp
 
 from lynx_common import arm, dh
-from lynx_common.course import figures, report
+from lynx_common.course import exercises, figures, report
+from lynx_common.course.exercises import EXERCISES
 from lynx_common.course.report.item import Item, differs
 from lynx_common.errors import InputError, LedgerError, UnknownNameError
 
@@ -26,19 +27,42 @@ def source(notebook: str) -> list[str]:
     return [cell.source for cell in book.cells if cell.cell_type == "code"]
 
 
+def solved(notebook: str) -> list[str]:
+    """Its source, with the worked solution in place of every answer's dots."""
+    cells = source(notebook)
+    exercise = {answer: name for name, answer in re.findall(r'exercises\.check\("(.+)", (.+)\)', "\n".join(cells))}
+    return [
+        re.sub(r"^(answer_\d) = \.\.\.$", lambda answer: EXERCISES[exercise[answer[1]]].code, cell, flags=re.M)
+        for cell in cells
+    ]
+
+
 @pytest.fixture(scope="module")
-def checked() -> dict[str, object]:
-    """What every notebook of the ledger hands to ``report.check``, by key; the notebooks are run here."""
+def run() -> tuple[dict[str, object], dict[str, str]]:
+    """What every notebook of the ledger, all answers filled in, hands to ``report.check``, by key; and what is
+    said of the answers, by exercise. The notebooks are run here.
+    """
     calls: dict[str, object] = {}
+    said: dict[str, str] = {}
     mpl.use("agg")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(report, "check", lambda key, derived: calls.update({key: derived}))
+        patch.setattr(exercises, "check", lambda name, answer: said.update({name: EXERCISES[name].judge(answer)}))
         patch.setattr(figures, "show", lambda fig, caption: mpl.pyplot.close(fig))
         for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
             namespace: dict[str, object] = {}
-            for cell in source(notebook):
+            for cell in solved(notebook):
                 exec(cell, namespace)
-    return calls
+    return calls, said
+
+
+@pytest.fixture(scope="module")
+def checked(run) -> dict[str, object]:
+    return run[0]
+
+
+def test_every_answer_filled_in_is_right_in_its_own_notebook(run):
+    assert run[1] == dict.fromkeys(EXERCISES, "correct.")
 
 
 def test_every_numbered_item_of_the_report_is_there():

@@ -3,7 +3,6 @@
 Each ratio compares two medians of one run, since machines differ and are noisy.
 """
 
-import time
 import tracemalloc
 
 import numpy as np
@@ -70,21 +69,3 @@ def test_all_branches_of_a_million_poses_at_most_400_nanoseconds_each(benchmark,
     each = benchmark.stats.stats.median / N
     print(f"\nfour branches of a pose: {each * 1e9:.0f} ns")
     assert each <= 400e-9
-
-
-def test_against_ik_lm_of_the_robotics_toolbox(benchmark, q):
-    """One pose after another, each from a cold start, as a user of a general numeric solver has to."""
-    toolbox = pytest.importorskip("roboticstoolbox")
-    d_1, L_1, L_2, L_3 = arm.LYNX
-    links = [(0, np.pi / 2, d_1), (L_1, 0, 0), (L_2, 0, 0), (0, np.pi / 2, 0), (0, 0, L_3)]
-    ets = toolbox.DHRobot([toolbox.RevoluteDH(a=a, alpha=alpha, d=d) for a, alpha, d in links]).ets()
-    poses = arm.forward_kinematics(q[:1000])
-    benchmark.pedantic(lambda: [ets.ik_LM(pose) for pose in poses], rounds=5, warmup_rounds=1)
-    theirs = benchmark.stats.stats.median / len(poses)
-    task, position = arm.task_coordinates(q), arm.forward_kinematics(q)[:, :3, 3].copy()
-    arm.inverse_kinematics(position, task[:, 3], task[:, 4])
-    begin = time.perf_counter()
-    arm.inverse_kinematics(position, task[:, 3], task[:, 4])
-    ours = (time.perf_counter() - begin) / N
-    print(f"\nik_LM: one solution of a pose in {theirs * 1e6:.1f} us, {theirs / ours:.0f} times our four")
-    assert theirs > ours

@@ -36,6 +36,7 @@ def _describe_level(q: np.ndarray) -> str:
 # A1.2: the camera on the forearm, for the angles of report Table 1.3.
 ANGLES = np.pi / 180 * np.array([60, 45, -30, 60, 30])
 CAMERA = np.array(dh.trans(-0.1, 0.03, 0), float)
+PROXIMAL = np.array(dh.trans(-arm.LYNX.L_2, 0, 0), float)  # from the forearm's end to its start
 
 
 def _forearm(q: np.ndarray = ANGLES) -> np.ndarray:
@@ -67,6 +68,7 @@ def _scara(second: sp.Expr, height: sp.Expr) -> sp.Matrix:
 
 
 TOOL = _scara(theta_1 + theta_2, d_1 - d_3)
+PROXIMAL_TOOL = sp.Matrix([L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), d_1 - d_3])
 
 
 def _off(position: sp.Matrix, other: sp.Matrix = TOOL) -> float:
@@ -131,6 +133,11 @@ EXERCISES = {
                 lambda pose: any(_is(pose, arm.link_frames(ANGLES)[i] @ CAMERA) for i in (2, 4)),
                 "this camera moves with the link before the forearm or after it; the forearm carries frame 3.",
             ),
+            (
+                lambda pose: _is(pose, _forearm() @ PROXIMAL @ CAMERA),
+                "this is frame 3 of the proximal table, at the start of the forearm; frame 3 of the distal one, "
+                "whose pose T_0_3 is, sits at its end.",
+            ),
             (lambda pose: _is(pose, _forearm()), "this is frame 3 itself; the camera is shifted from it."),
             (lambda pose: _is(pose, np.linalg.inv(_forearm() @ CAMERA)), "this is the base seen from the camera."),
             (lambda pose: _is(pose.T, _forearm() @ CAMERA), "this is the transpose of the pose."),
@@ -155,6 +162,11 @@ EXERCISES = {
             (
                 lambda p: _off(p, _scara(theta_1 + theta_2, d_1 + d_3)) <= TOLERANCE,
                 "the slide moves the tool down, so its d_3 lowers the tool.",
+            ),
+            (
+                lambda p: _off(p, PROXIMAL_TOOL) <= TOLERANCE,
+                "this is a distal table multiplied in the proximal way: dh.modified takes a before theta, so each "
+                "row needs the a of the link before.",
             ),
             (
                 lambda p: _off(p.extract([1, 0, 2], [0])) <= TOLERANCE,

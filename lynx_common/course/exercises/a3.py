@@ -105,10 +105,6 @@ EXERCISES = {
                 lambda p: _near(p, _wrist([1, 0, 0])),
                 "this is for a gripper that points level and outwards, pitch 0.",
             ),
-            (
-                lambda p: _near(p, _wrist([0, 0, -1]) - [0, 0, arm.LYNX.d_1]),
-                "this is its height above the shoulder; coordinates in the base frame are expected.",
-            ),
         ),
         describe=lambda p: f"this is {np.linalg.norm(p - _wrist([0, 0, -1])):.3f} m from the wrist.",
         hints=("The wrist is at p - L_3 a.", "The axis a of a gripper that points straight down is (0, 0, -1)."),

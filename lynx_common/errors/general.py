@@ -1,0 +1,47 @@
+"""What any part of the package can refuse."""
+
+
+class LynxError(Exception):
+    """Base class of the errors that this package raises on purpose."""
+
+
+class InputError(LynxError, ValueError):
+    """An array that cannot be meant: complex numbers, or a last axis of the wrong length."""
+
+
+class GeometryError(LynxError, ValueError):
+    """Lengths that no robot can have."""
+
+    def __init__(self, name: str, value: object, allowed: str):
+        self.name, self.value, self.allowed = name, value, allowed
+        super().__init__(f"Geometry: {name} is {value}; {allowed}.")
+
+
+class ScrewError(LynxError, ValueError):
+    """A screw that is no unit screw, or none at all; ``length`` is that of its axis."""
+
+    def __init__(self, expected: str, length: float):
+        self.expected, self.length = expected, length
+        super().__init__(f"{expected}; the one given has length {length:.6g}.")
+
+
+class UnknownNameError(LynxError, KeyError):
+    """A name that is not in the table it was looked up in."""
+
+    def __init__(self, kind: str, name: object, known: list[str]):
+        self.kind, self.name, self.known = kind, name, known
+        super().__init__(f"There is no {kind} {name!r}. There is: {', '.join(known)}.")
+
+    def __str__(self) -> str:
+        return self.args[0]  # KeyError would put the sentence in quotation marks
+
+
+class LedgerError(LynxError):
+    """A printed item whose recorded verdict is not the one that was found."""
+
+    def __init__(self, key: str, recorded: str, found: str):
+        self.key, self.recorded, self.found = key, recorded, found
+        super().__init__(
+            f"{key}: compared with what is printed, {found}; but the ledger says {recorded!r}. "
+            "If you changed something above, undo it and run the notebook again from the top."
+        )

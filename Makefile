@@ -21,19 +21,25 @@ figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebo
 notebooks: .venv/ready  ## execute the notebooks in place, to store their outputs
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
+site: .venv-site/ready  ## build the course as a web page that needs no server, in build/site
+	.venv-site/bin/sphinx-build -q -W -E --keep-going -c site notebooks build/site
+	@echo "Open build/site/index.html in a browser."
+
 bench: .venv/ready  ## measure speed and memory
 	$(VENV)/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
 
-browser: .venv/ready .venv-browser/ready  ## move a slider of every explorer's notebook in a real Chromium
+browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromium: of the notebooks, and of the site
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
 	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
+	.venv-browser/bin/python tests/site_check.py
 
 clean:  ## remove what was made here, except work/
-	rm -rf .venv .venv-browser figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv .venv-browser .venv-site figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find lynx_common tests notebooks \( -name __pycache__ -o -name .ipynb_checkpoints \) -prune -exec rm -rf {} +
 
 .venv/ready: requirements.txt pyproject.toml
 .venv-browser/ready: requirements-browser.txt
+.venv-site/ready: requirements-site.txt
 
 %/ready:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { echo "Python 3.11 or" \
@@ -46,4 +52,4 @@ clean:  ## remove what was made here, except work/
 	  $(PYTHON) -m venv --clear $* && $*/bin/python -m pip install -qq --disable-pip-version-check -r $<; fi
 	@touch $@
 
-.PHONY: help lab test figures notebooks bench browser clean
+.PHONY: help lab test figures notebooks site bench browser clean

@@ -143,7 +143,9 @@ class SelfMotionError(LynxError):
     def __init__(self, theta: list[float]):
         self.theta = theta
         angles = ", ".join(f"{degrees(angle):.2f}" for angle in theta)
-        super().__init__(f"With the motors locked at {angles} deg the platform can still move: they fix no pose.")
+        super().__init__(
+            f"With the motors locked at {angles} deg the platform can still move: they do not fix its pose."
+        )
 
 
 class ScrewError(LynxError, ValueError):

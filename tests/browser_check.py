@@ -90,13 +90,17 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--picture", default=".jp-OutputArea .widget-image, img.widget-image", metavar="CSS")
     parser.add_argument("--screenshot", type=Path, metavar="FILE")
     parser.add_argument("--jupyter", type=Path, default=ROOT / ".venv/bin/jupyter")
-    parser.add_argument("--chromium", default=shutil.which("chromium") or shutil.which("google-chrome"))
+    parser.add_argument("--chromium", default=chromium())
     arguments = parser.parse_args()
     if not arguments.chromium:
         parser.error("no Chromium on this machine; install one (apt install chromium) or name it with --chromium")
     if not arguments.notebook.is_file():
         parser.error(f"there is no notebook {arguments.notebook}")
     return arguments
+
+
+def chromium() -> str | None:
+    return shutil.which("chromium") or shutil.which("google-chrome")
 
 
 @contextlib.contextmanager

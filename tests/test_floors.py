@@ -15,7 +15,7 @@ FLOORS = {
     1: ["arm", "rrr"],
     2: ["workspace", "motion", "obstacles", "planner"],
     3: ["drawing"],
-    4: ["course.report", "course.figures", "course.kernel", "course.player"],
+    4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
     5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
 }
 FLOOR = {module: floor for floor, modules in FLOORS.items() for module in modules}

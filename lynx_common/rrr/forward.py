@@ -37,7 +37,7 @@ def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarra
     pose : array, shape (..., 6, 3)
         X_c, Y_c in mm and alpha in (-pi, pi], ordered by alpha, then X_c; NaN in the rows beyond the last. All
         rows are NaN where no pose closes, and where the platform can move with the motors locked
-        (``self_motion``).
+        (``self_motion``), even if there are isolated poses besides.
 
     Source: notebook Part2, section 7.
     """
@@ -54,7 +54,7 @@ def assemble(theta: np.ndarray, near: np.ndarray, geometry: Geometry = RRR) -> n
     """The pose, (3,), at motor angles (3,) that is nearest to the pose ``near``, (3,).
 
     Distance is that in the plane, with alpha times r_platform as the third coordinate. Raises SelfMotionError
-    where the motor angles fix no pose, and NoPoseError where none closes.
+    where the motor angles do not fix the pose, and NoPoseError where none closes.
     """
     theta, near = real(np.reshape(theta, (3,)), THETA), checked(np.reshape(near, (3,)))
     if self_motion(theta, geometry):

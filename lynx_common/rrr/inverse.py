@@ -82,12 +82,15 @@ def _lengths() -> Callable:
 @cache
 def _both_sides() -> Callable:
     """Angles of the three legs, first with the sign +1, then with -1."""
-    S_A, L, *_ = DESIGN
-    angles = []
-    for sigma, (x, y) in product((1, -1), leg().tolist()):
-        squared = x**2 + y**2
-        k = squared + S_A**2 - L**2
-        below_root = ((S_A + L) ** 2 - squared) * (squared - (S_A - L) ** 2)  # (2 S_A |u|)^2 - k^2
-        root = sp.sqrt((below_root + sp.Abs(below_root)) / 2)  # not negative, whatever rounding does
-        angles.append(sp.atan2(y * k - sigma * x * root, x * k + sigma * y * root))
+    angles = [motor_angle(sigma, x, y) for sigma, (x, y) in product((1, -1), leg().tolist())]
     return numeric(sp.Matrix(angles), POSE, DESIGN)
+
+
+def motor_angle(sigma: sp.Expr, x: sp.Expr, y: sp.Expr) -> sp.Expr:
+    """Angle of the motor whose leg spans (x, y) and bends to the side ``sigma``; valid where the leg closes."""
+    S_A, L, *_ = DESIGN
+    squared = x**2 + y**2
+    k = squared + S_A**2 - L**2
+    below_root = ((S_A + L) ** 2 - squared) * (squared - (S_A - L) ** 2)  # (2 S_A |u|)^2 - k^2
+    root = sp.sqrt((below_root + sp.Abs(below_root)) / 2)  # not negative, whatever rounding does
+    return sp.atan2(y * k - sigma * x * root, x * k + sigma * y * root)

@@ -1,4 +1,4 @@
-"""Sections 2.1 and 2.2 of the report: their tables, figures and claims."""
+"""Sections 2.1 and 2.2 of the report: their tables, figures and claims; and one claim of section 3.1."""
 
 import numpy as np
 
@@ -43,17 +43,8 @@ EXTENTS_RIGHT = np.array(
 )
 
 
-def _data(
-    key: str,
-    where: str,
-    says: str,
-    printed: np.ndarray,
-    digits: int,
-    verdict: str = "holds",
-    because: str = "",
-    **facts,
-) -> Item:
-    return Item(key, where, says, printed, NOTEBOOK, verdict, because, digits=digits, **facts)
+def _data(key: str, where: str, says: str, printed: np.ndarray, digits: int, *verdict: str, **facts) -> Item:
+    return Item(key, where, says, printed, NOTEBOOK, *verdict or ["holds"], digits=digits, **facts)
 
 
 def _claim(number: int, where: str, says: str, verdict: str = "holds", because: str = "") -> Item:
@@ -192,5 +183,12 @@ ITEMS = [
         "with alpha its shape alters slightly",
         "wrong: its area falls to a sixth from 0 to 60 deg, and to nothing at 81.61 deg",
         "the area at 0 deg is 6.06 times that at 60 deg",
+    ),
+    _claim(
+        11,
+        "3.1, p. 20",
+        "at a singularity a robot loses freedom",
+        "wrong: at one of type 2 (det A = 0) the platform of a parallel robot gains a freedom",
+        "where the lines of the three distal links meet, the platform can turn a little with all motors at rest",
     ),
 ]

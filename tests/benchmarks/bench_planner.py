@@ -19,7 +19,7 @@ SCENES = {
         [obstacles.Sphere((9, -9, 9), 4), obstacles.Sphere((11, 5, 10), 5)],
     ),
 }
-SEEDS = range(10)
+SEEDS, LONG_SEEDS = range(10), range(3)
 
 
 def free_in(balls):
@@ -42,10 +42,10 @@ def problem(scene):
 
 
 @cache
-def searches(scene, iterations):
+def searches(scene, iterations, seeds):
     """Seconds and plan of each seed."""
     found = []
-    for seed in SEEDS:
+    for seed in seeds:
         began = time.perf_counter()
         plan = planner.plan(*problem(scene), iterations, seed)
         found.append((time.perf_counter() - began, plan))
@@ -54,7 +54,7 @@ def searches(scene, iterations):
 
 @pytest.mark.parametrize("scene", ["notebook"])
 def test_a_path_within_2000_iterations_and_2_seconds(scene):
-    seconds, plans = zip(*searches(scene, 2000), strict=True)
+    seconds, plans = zip(*searches(scene, 2000, SEEDS), strict=True)
     first = [int(np.isfinite(plan.history).argmax()) + 1 for plan in plans]
     print(f"\n{scene}: first path after {np.median(first):.0f} iterations (at most {max(first)}); ", end="")
     print(f"2,000 iterations in {np.median(seconds):.2f} s (at most {max(seconds):.2f} s)")
@@ -63,9 +63,9 @@ def test_a_path_within_2000_iterations_and_2_seconds(scene):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_within_5_percent_of_the_long_run_best_after_20_000_iterations(scene):
-    """The best known: the least travel of ten seeds, 20,000 iterations and 5,000 shortcuts each."""
+    """The best known: the least travel of three seeds, 20,000 iterations and 5,000 shortcuts each."""
     free = problem(scene)[0]
-    seconds, plans = zip(*searches(scene, 20_000), strict=True)
+    seconds, plans = zip(*searches(scene, 20_000, LONG_SEEDS), strict=True)
     best = min(planner.joint_travel(planner.shortcut(free, plan.path, 5000)) for plan in plans)
     at = {n: np.median([plan.history[n - 1] for plan in plans]) / best - 1 for n in (500, 2000, 20_000)}
     above = ", ".join(f"{share:.2%} after {n:,}" for n, share in at.items())

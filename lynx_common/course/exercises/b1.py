@@ -5,7 +5,7 @@ import numpy as np
 from ... import arm
 from .exercise import TOLERANCE, Exercise, numbers
 
-d_1, L_1, L_2, L_3 = arm.LYNX
+d_1, L_1, L_2, L_3 = arm.Geometry()  # the report's
 
 
 def _near(a: np.ndarray, b: np.ndarray) -> bool:
@@ -66,7 +66,7 @@ EXERCISES = {
         ),
         explanation="The interval of section 4 with $\\rho = 0.4$ m and $\\psi = 0$: $k = \\frac{1}{8}$, so the "
         "pitch lies between -82.8° and 82.8°. At either end the arm is stretched.",
-        code="L = arm.LYNX\n"
+        code="L = arm.Geometry()\n"
         "k = (0.4**2 + L.L_3**2 - (L.L_1 + L.L_2) ** 2) / (2 * 0.4 * L.L_3)\n"
         "answer_1 = [-np.arccos(k), np.arccos(k)]",
     ),

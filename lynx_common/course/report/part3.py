@@ -79,9 +79,8 @@ ITEMS = [
         1,
         "3.1",
         "in a singular configuration a robot loses degrees of freedom",
-        "wrong: so does every singular arm; but the platform of a parallel robot gains one when its legs become "
-        "dependent",
-        "where the wrenches of its legs are dependent, the platform can turn a little with all motors locked",
+        "wrong: true of arms; the platform of a parallel robot gains one where the legs' wrenches are dependent",
+        "where the lines of its distal links meet, the platform can turn a little with all motors locked",
     ),
     _claim(2, "3.1", "where the determinant is zero, there are directions in which the end cannot move"),
     _claim(3, "3.2", "the arm has four degrees of freedom"),

@@ -1,5 +1,6 @@
 """The explorers: the picture and the numbers follow the controls."""
 
+import functools
 import io
 
 import ipywidgets as widgets
@@ -15,10 +16,25 @@ from lynx_common.errors import InputError
 PART_3 = arm.Geometry(5, 10, 10, 0)
 
 
+def opened(make, *arguments) -> widgets.Widget:
+    """An explorer as it opens. One of each serves all tests, which saves seconds."""
+    explorer, controls = made(make, *arguments)
+    for control, value in controls:
+        control.value = value
+    return explorer
+
+
+@functools.cache
+def made(make, *arguments) -> tuple[widgets.Widget, list[tuple[widgets.Widget, object]]]:
+    explorer = make(*arguments)
+    controls = [c for c in explorer.children[0].children if hasattr(c, "value") and not isinstance(c, widgets.HTML)]
+    return explorer, [(control, control.value) for control in controls]
+
+
 @pytest.fixture
 def controls() -> dict[str, object]:
     """The parts of the arm's explorer by kind."""
-    panel, image = explorers.arm_explorer().children
+    panel, image = opened(explorers.arm_explorer).children
     kinds = {
         "sliders": widgets.FloatSlider,
         "frames": widgets.Checkbox,
@@ -85,7 +101,7 @@ def parts(explorer: widgets.Widget) -> tuple[list[widgets.Widget], widgets.HTML,
 
 
 def test_reach_shows_four_branches_and_which_keep_to_the_limits():
-    sliders, words, _ = parts(explorers.reach_explorer())
+    sliders, words, _ = parts(opened(explorers.reach_explorer))
     position, pitch = [s.value for s in sliders[:3]], np.deg2rad(sliders[3].value)
     q = arm.inverse_kinematics(position, pitch)
     rows = words.value.split("<tr>")[1:]
@@ -98,7 +114,7 @@ def test_reach_shows_four_branches_and_which_keep_to_the_limits():
 
 @pytest.mark.parametrize("number", range(4))
 def test_reach_each_slider_moves_the_picture(number):
-    sliders, words, image = parts(explorers.reach_explorer())
+    sliders, words, image = parts(opened(explorers.reach_explorer))
     picture, text = image.value, words.value
     sliders[number].value -= 5 * sliders[number].step
     assert image.value != picture
@@ -106,7 +122,7 @@ def test_reach_each_slider_moves_the_picture(number):
 
 
 def test_reach_says_in_words_what_cannot_be_reached_and_recovers():
-    sliders, words, image = parts(explorers.reach_explorer())
+    sliders, words, image = parts(opened(explorers.reach_explorer))
     picture, home = image.value, sliders[0].value
     sliders[0].value = 0.5
     sliders[1].value = 0.5
@@ -116,7 +132,7 @@ def test_reach_says_in_words_what_cannot_be_reached_and_recovers():
 
 
 def test_reach_can_leave_the_joint_limits_without_an_error():
-    sliders, words, _ = parts(explorers.reach_explorer())
+    sliders, words, _ = parts(opened(explorers.reach_explorer))
     for slider, value in zip(sliders, (0.1, 0, 0.15, 0), strict=True):
         slider.value = value
     assert words.value.count("beyond a limit") == 4
@@ -127,12 +143,12 @@ def volumes(words: widgets.HTML) -> list[float]:
 
 
 def test_limits_opens_on_the_reports_ranges_with_the_volume_of_the_shell():
-    _, words, _ = parts(explorers.limits_explorer())
+    _, words, _ = parts(opened(explorers.limits_explorer))
     assert volumes(words)[0] == 173.30
 
 
 def test_limits_follow_the_sliders():
-    sliders, words, image = parts(explorers.limits_explorer())
+    sliders, words, image = parts(opened(explorers.limits_explorer))
     picture = image.value
     sliders[0].value = (0, 180)
     limits = np.deg2rad([[0, 360], [0, 180], [-90, 90], [0, 360]])
@@ -146,7 +162,7 @@ def test_limits_follow_the_sliders():
 
 @pytest.mark.parametrize("value", [(30, 30), (180, 180), (-180, -180), (-180, 180)])
 def test_limits_that_meet_are_kept_apart(value):
-    sliders, words, _ = parts(explorers.limits_explorer())
+    sliders, words, _ = parts(opened(explorers.limits_explorer))
     sliders[1].value = value
     low, high = sliders[1].value
     assert high - low >= 5
@@ -155,8 +171,8 @@ def test_limits_that_meet_are_kept_apart(value):
 
 def test_other_arms_can_be_explored():
     geometry = arm.Geometry(1, 2, 1, 0.5)
-    assert "front, up" in parts(explorers.reach_explorer(geometry))[1].value
-    assert volumes(parts(explorers.limits_explorer(geometry))[1])[0] > 1000
+    assert "front, up" in parts(opened(explorers.reach_explorer, geometry))[1].value
+    assert volumes(parts(opened(explorers.limits_explorer, geometry))[1])[0] > 1000
 
 
 @pytest.fixture
@@ -199,14 +215,14 @@ def facts(words: widgets.HTML) -> list[float]:
 
 
 def test_detour_opens_on_the_shortest_way_around_the_reports_obstacle():
-    sliders, words, _ = parts(explorers.detour_explorer())
+    sliders, words, _ = parts(opened(explorers.detour_explorer))
     assert [s.value for s in sliders] == [-0.2, 0.6, 0.15, 0.03]
     assert facts(words) == [0.295, 0.03, 0.03]
 
 
 @pytest.mark.parametrize(("number", "change"), list(enumerate((0.03, -0.06, -0.02, 0.01))))
 def test_detour_each_slider_moves_the_picture_and_the_numbers(number, change):
-    sliders, words, image = parts(explorers.detour_explorer())
+    sliders, words, image = parts(opened(explorers.detour_explorer))
     picture, text, home = image.value, words.value, sliders[number].value
     sliders[number].value = home + change
     assert image.value != picture
@@ -223,13 +239,13 @@ def test_detour_each_slider_moves_the_picture_and_the_numbers(number, change):
     ],
 )
 def test_detour_says_which_end_it_cannot_use(number, value, sentence):
-    sliders, words, _ = parts(explorers.detour_explorer())
+    sliders, words, _ = parts(opened(explorers.detour_explorer))
     sliders[number].value = value
     assert sentence in words.value
 
 
 def test_detour_says_when_the_links_collide():
-    sliders, words, _ = parts(explorers.detour_explorer())
+    sliders, words, _ = parts(opened(explorers.detour_explorer))
     for slider, value in zip(sliders, (0.02, 0.3, 0.04, 0.0), strict=True):
         slider.value = value
     assert facts(words)[1] > 0 > facts(words)[2]
@@ -238,7 +254,7 @@ def test_detour_says_when_the_links_collide():
 
 def test_detour_says_when_the_arm_cannot_follow():
     """A small obstacle between the ends, to be passed above."""
-    sliders, words, _ = parts(explorers.detour_explorer())
+    sliders, words, _ = parts(opened(explorers.detour_explorer))
     for slider, value in zip(sliders, (-0.1, 0.5, 0.05, 0.06), strict=True):
         slider.value = value
     assert "The path fails first at sample 1 of 0 to 100: Target position is out of reach" in words.value
@@ -248,7 +264,7 @@ def parallel(
     *values: float, geometry: rrr.Geometry = rrr.RRR
 ) -> tuple[list[widgets.Widget], widgets.HTML, widgets.Image]:
     """Controls (X_c, Y_c, alpha in degrees, mode), words and picture of the explorer, set to ``values``."""
-    controls, words, image = parts(explorers.parallel_explorer(geometry))
+    controls, words, image = parts(opened(explorers.parallel_explorer, geometry))
     for control, value in zip(controls, values, strict=False):
         control.value = value
     return controls, words, image
@@ -351,7 +367,7 @@ def row(words: widgets.HTML, name: str) -> str:
 
 
 def test_singularity_says_what_the_jacobian_is():
-    sliders, words, image = parts(explorers.singularity_explorer())
+    sliders, words, image = parts(opened(explorers.singularity_explorer))
     assert [s.value for s in sliders] == [30, -80]
     pictures = [image.value]
     for values in ((30, -80), (-100, 33), (150, 170)):
@@ -385,7 +401,7 @@ def test_singularity_says_what_the_jacobian_is():
     ],
 )
 def test_singularity_names_the_factors_that_vanish(values, expected):
-    sliders, words, _ = parts(explorers.singularity_explorer())
+    sliders, words, _ = parts(opened(explorers.singularity_explorer))
     for slider, value in zip(sliders, values, strict=True):
         slider.value = value
     assert row(words, "singular") == expected
@@ -393,7 +409,7 @@ def test_singularity_names_the_factors_that_vanish(values, expected):
 
 
 def test_singularity_of_another_arm_is_that_of_its_wrist():
-    sliders, words, _ = parts(explorers.singularity_explorer(arm.Geometry(0.1, 0.2, 0.15, 0.1)))
+    sliders, words, _ = parts(opened(explorers.singularity_explorer, arm.Geometry(0.1, 0.2, 0.15, 0.1)))
     sliders[1].value = 180
     assert row(words, "singular") == "elbow"
     sliders[0].value = 90
@@ -410,7 +426,7 @@ def middle(image: widgets.Image, colour: tuple[int, int, int], left: bool) -> np
 
 
 def test_singularity_moves_the_point_on_the_map_the_arm_and_the_ellipse():
-    sliders, _, image = parts(explorers.singularity_explorer())
+    sliders, _, image = parts(opened(explorers.singularity_explorer))
     orange, grey = (230, 159, 0), (77, 77, 77)
     sliders[0].value, sliders[1].value = 0, 60
     point, ellipse, links = middle(image, orange, True), middle(image, orange, False), middle(image, grey, False)

@@ -1,5 +1,6 @@
 """The ledger: it holds what it should, and a verdict that is not the one found is refused."""
 
+import functools
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -22,14 +23,15 @@ WRONG = {"verdict": "wrong: the sign is +", "because": "at x = 0 it is 1"}
 x, y = sp.symbols("x y", real=True)
 
 
-def source(notebook: str) -> list[str]:
-    book = nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4)
-    return [cell.source for cell in book.cells if cell.cell_type == "code"]
+@functools.cache
+def code_cells(notebook: str) -> list[nbformat.NotebookNode]:
+    cells = nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4).cells
+    return [cell for cell in cells if cell.cell_type == "code"]
 
 
 def solved(notebook: str) -> list[str]:
     """Its source, with the worked solution in place of every answer's dots."""
-    cells = source(notebook)
+    cells = [cell.source for cell in code_cells(notebook)]
     exercise = {answer: name for name, answer in re.findall(r'exercises\.check\("(.+)", (.+)\)', "\n".join(cells))}
     return [
         re.sub(r"^(answer_\d) = \.\.\.$", lambda answer: EXERCISES[exercise[answer[1]]].code, cell, flags=re.M)
@@ -86,8 +88,7 @@ def test_section_2_is_complete():
 @pytest.mark.parametrize("key", report.LEDGER)
 def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
     item = report.LEDGER[key]
-    book = nbformat.read(NOTEBOOKS / f"{item.notebook}.ipynb", 4)
-    cells = [c for c in book.cells if c.cell_type == "code" and f'report.check("{key}"' in c.source]
+    cells = [cell for cell in code_cells(item.notebook) if f'report.check("{key}"' in cell.source]
     assert len(cells) == 1
     printed = "".join(output.get("text", "") for output in cells[0].outputs)
     assert f"{key} {item.verdict}\n" in printed
@@ -208,7 +209,7 @@ def test_the_ledger_links_to_the_cell_that_checks_an_item(monkeypatch):
     for name, notebook, cell_id in links:
         key = name.replace("&nbsp;", " ")
         assert report.LEDGER[key].notebook == notebook
-        (cell,) = [c for c in nbformat.read(NOTEBOOKS / f"{notebook}.ipynb", 4).cells if c.id == cell_id]
+        (cell,) = [cell for cell in code_cells(notebook) if cell.id == cell_id]
         assert f'report.check("{key}"' in cell.source
 
 

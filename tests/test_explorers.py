@@ -27,8 +27,8 @@ def opened(make, *arguments) -> widgets.Widget:
 @functools.cache
 def made(make, *arguments) -> tuple[widgets.Widget, list[tuple[widgets.Widget, object]]]:
     explorer = make(*arguments)
-    controls = [c for c in explorer.children[0].children if hasattr(c, "value") and not isinstance(c, widgets.HTML)]
-    return explorer, [(control, control.value) for control in controls]
+    valued = [widget for widget in explorer.children[0].children if hasattr(widget, "value")]
+    return explorer, [(control, control.value) for control in valued if not isinstance(control, widgets.HTML)]
 
 
 @pytest.fixture

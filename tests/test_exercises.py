@@ -1,5 +1,8 @@
 """The exercises: right answers in any form pass, typical wrong ones are told what is wrong, nothing raises."""
 
+import re
+import subprocess
+import sys
 from collections import Counter
 
 import numpy as np
@@ -392,7 +395,8 @@ WRONG = {
         ),
         ([L_1 * c1, L_1 * s1], "2 entries, where 3"),
         ([Q[2], 0, 0], "holds theta_3"),
-        (lambda q: q, "one entry is none"),
+        (lambda q: q, "3 real expressions is expected; one entry is none"),
+        ([sp.I * L_1, 0, 0], "one entry is none"),
         ([0, L_1 * s1 + L_2 * s12, d_1], "x is not right, y is right, z is not right"),
     ],
 }
@@ -404,19 +408,19 @@ def verdict(name, answer, capsys):
 
 
 def test_every_exercise_is_tested():
-    assert exercises.EXERCISES.keys() == RIGHT.keys() == WRONG.keys()
+    assert exercises.catalogue().keys() == RIGHT.keys() == WRONG.keys()
 
 
 def test_every_notebook_has_three_exercises_or_more():
-    count = Counter(name.partition(".")[0] for name in exercises.EXERCISES)
+    count = Counter(name.partition(".")[0] for name in exercises.catalogue())
     assert {"A1", "A2", "A3", "B1", "B2", "B3", "P2"} <= count.keys()
     assert min(count.values()) >= 3
 
 
-@pytest.mark.parametrize("name", exercises.EXERCISES)
+@pytest.mark.parametrize("name", exercises.catalogue())
 def test_every_misconception_is_recognised_and_there_are_three_or_more(name):
     """Each by some wrong answer of the table; and a right answer comes in two forms or more."""
-    exercise = exercises.EXERCISES[name]
+    exercise = exercises.catalogue()[name]
     said = {exercise.judge(answer).removeprefix("not yet: ") for answer, _ in WRONG[name]}
     known = [sentence for _, sentence in exercise.misconceptions]
     assert [sentence for sentence in known if sentence not in said] == []
@@ -441,7 +445,7 @@ def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
     assert "correct" not in said
 
 
-@pytest.mark.parametrize("name", exercises.EXERCISES)
+@pytest.mark.parametrize("name", exercises.catalogue())
 def test_the_worked_solution_is_right(name, capsys):
     namespace = dict(np=np, sp=sp, arm=arm, dh=dh, tidy=tidy, numeric=numeric, q=ANGLES, d_3=d_3)
     namespace |= dict(workspace=workspace, rrr=rrr, screws=screws, x=x, y=y, z=z)
@@ -452,7 +456,7 @@ def test_the_worked_solution_is_right(name, capsys):
     assert verdict(name, answer, capsys) == f"{name}: correct.\n"
 
 
-@pytest.mark.parametrize("name", exercises.EXERCISES)
+@pytest.mark.parametrize("name", exercises.catalogue())
 def test_there_are_two_hints_and_the_first_points_to_the_second(name, capsys):
     exercises.hint(name)
     assert f'exercises.hint("{name}", 2)' in capsys.readouterr().out
@@ -463,14 +467,24 @@ def test_there_are_two_hints_and_the_first_points_to_the_second(name, capsys):
 
 
 STRANGE = ["x", [None] * 3, [None] * 5, {}, {1, 2}, object(), np.nan, [[1], [2, 3]], [sp.zoo] * 3, True]
+STRANGE += [1j, [1j, 1, 2], [[sp.eye(1), 2, 3]], [sp.nan] * 3, [sp.sin, 1, 2], [sp.Eq(sp.Symbol("x"), 1), 2, 3]]
 
 
-@pytest.mark.parametrize("name", exercises.EXERCISES)
+@pytest.mark.parametrize("name", exercises.catalogue())
 @pytest.mark.parametrize("answer", STRANGE, ids=range(len(STRANGE)))
 def test_no_answer_however_strange_stops_the_notebook(name, answer, capsys):
     assert "correct" not in verdict(name, answer, capsys)
 
 
 def test_an_unknown_exercise_gets_the_list_of_known_ones():
-    with pytest.raises(UnknownNameError, match=r"no exercise 'A1.9'. There is: A1.1, A1.2, A1.3"):
-        exercises.check("A1.9", 0)
+    for name in ("A1.9", "X", "", 3):
+        known = f"There is no exercise {name!r}. There is: A1.1, A1.2, A1.3"
+        with pytest.raises(UnknownNameError, match=re.escape(known)):
+            exercises.check(name, 0)
+
+
+def test_a_notebook_computes_the_answers_of_its_own_exercises_only():
+    script = "from lynx_common.course import exercises; import sys; exercises.hint('B1.1'); print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert "exercises.b1" in run.stdout
+    assert "exercises.a2" not in run.stdout

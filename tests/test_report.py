@@ -13,7 +13,6 @@ import sympy as sp
 
 from lynx_common import arm, dh
 from lynx_common.course import exercises, figures, report
-from lynx_common.course.exercises import EXERCISES
 from lynx_common.course.report.item import Item, differs
 from lynx_common.errors import InputError, LedgerError, UnknownNameError
 
@@ -34,7 +33,12 @@ def solved(notebook: str) -> list[str]:
     cells = [cell.source for cell in code_cells(notebook)]
     exercise = {answer: name for name, answer in re.findall(r'exercises\.check\("(.+)", (.+)\)', "\n".join(cells))}
     return [
-        re.sub(r"^(answer_\d) = \.\.\.$", lambda answer: EXERCISES[exercise[answer[1]]].code, cell, flags=re.M)
+        re.sub(
+            r"^(answer_\d) = \.\.\.$",
+            lambda answer: exercises.catalogue()[exercise[answer[1]]].code,
+            cell,
+            flags=re.M,
+        )
         for cell in cells
     ]
 
@@ -49,7 +53,9 @@ def run() -> tuple[dict[str, object], dict[str, str]]:
     mpl.use("agg")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(report, "check", lambda key, derived: calls.update({key: derived}))
-        patch.setattr(exercises, "check", lambda name, answer: said.update({name: EXERCISES[name].judge(answer)}))
+        patch.setattr(
+            exercises, "check", lambda name, answer: said.update({name: exercises.catalogue()[name].judge(answer)})
+        )
         patch.setattr(figures, "show", lambda fig, caption: mpl.pyplot.close(fig))
         for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
             namespace: dict[str, object] = {}
@@ -64,7 +70,7 @@ def checked(run) -> dict[str, object]:
 
 
 def test_every_answer_filled_in_is_right_in_its_own_notebook(run):
-    assert run[1] == dict.fromkeys(EXERCISES, "correct.")
+    assert run[1] == dict.fromkeys(exercises.catalogue(), "correct.")
 
 
 def test_every_numbered_item_of_the_report_is_there():

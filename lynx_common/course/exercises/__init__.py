@@ -7,16 +7,15 @@
 None of them raises for a wrong answer, so that a notebook with open exercises runs to its end.
 """
 
+import functools
+from importlib import import_module
+
 from IPython.display import Markdown
 
 from ...errors import UnknownNameError
-from . import a1, a2, a3, b1, b2, b3, part2, part3
 from .exercise import Exercise
 
-NOTEBOOKS = (a1, a2, a3, b1, b2, b3, part2, part3)
-EXERCISES: dict[str, Exercise] = {
-    name: exercise for notebook in NOTEBOOKS for name, exercise in notebook.EXERCISES.items()
-}
+MODULES = ("a1", "a2", "a3", "b1", "b2", "b3", "part2", "part3")
 
 
 def check(name: str, answer: object) -> None:
@@ -39,7 +38,20 @@ def solution(name: str) -> Markdown:
     return Markdown(f"{exercise.explanation}\n\n```python\n{exercise.code}\n```")
 
 
+@functools.cache
+def catalogue() -> dict[str, Exercise]:
+    """Every exercise of the course, by name."""
+    return {name: exercise for module in MODULES for name, exercise in _of(module).items()}
+
+
 def _find(name: str) -> Exercise:
-    if name not in EXERCISES:
-        raise UnknownNameError("exercise", name, list(EXERCISES))
-    return EXERCISES[name]
+    # Right answers are computed on import, which takes time; so a notebook imports its own only.
+    notebook = str(name).partition(".")[0].lower().replace("p", "part")
+    known = _of(notebook) if notebook in MODULES else {}
+    if name not in known:
+        raise UnknownNameError("exercise", name, list(catalogue()))
+    return known[name]
+
+
+def _of(module: str) -> dict[str, Exercise]:
+    return import_module(f".{module}", __package__).EXERCISES

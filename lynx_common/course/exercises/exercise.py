@@ -1,5 +1,6 @@
 """One exercise: reading an answer in any of its forms, and judging it from the plainest fault to the subtlest."""
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -74,11 +75,13 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
 
     def read(answer: object) -> sp.Matrix:
         try:
-            value = sp.Matrix(answer)
-        except (TypeError, ValueError):
-            raise UnreadableAnswerError(f"a list of {size} expressions is expected; one entry is none.") from None
-        if not all(isinstance(entry, sp.Expr) and entry.is_finite is not False for entry in value):
-            raise UnreadableAnswerError(f"a list of {size} expressions is expected; one entry is none.")
+            with warnings.catch_warnings(action="error"):  # SymPy 1.14 only warns of what is no expression
+                value = sp.Matrix(answer)
+            readable = not any(e.is_Matrix or e.has(sp.I) or e.is_finite is False for e in value)
+        except (TypeError, ValueError, DeprecationWarning):
+            readable = False
+        if not readable:
+            raise UnreadableAnswerError(f"a list of {size} real expressions is expected; one entry is none.")
         value = value[:size, 3] if value.shape == (4, 4) else value
         if len(value) == size + 1 and value[size] == 1:
             value = value.reshape(size + 1, 1)[:size, :]

@@ -50,53 +50,65 @@ class Outcome(NamedTuple):
     output: str
 
 
-@pytest.fixture(scope="module", params=["small", "A1_forward_kinematics"])
-def outcome(request, small, tmp_path_factory) -> Outcome:
+BOOKS = "small", "course"
+
+
+@pytest.fixture(scope="module")
+def outcomes(small, tmp_path_factory) -> dict[str, Outcome]:
     """Copies of the small notebook and of one of the course's, each spoiled in one way; pytest run on all."""
-    path = small if request.param == "small" else NOTEBOOKS / f"{request.param}.ipynb"
-    if not path.exists():
-        pytest.skip(f"{path.name} is not written yet")
-    names = ["changed", *SPOILS] + ["noisy"] * (path == small)  # once is enough, and saves seconds
-    copies = {name: nbformat.read(path, as_version=4) for name in names}
-    if path == small:
+    paths = dict(zip(BOOKS, (small, NOTEBOOKS / "A1_forward_kinematics.ipynb"), strict=True))
+    folder = tmp_path_factory.mktemp("copies")
+    changed = {book: spoiled_copies(path, folder, book) for book, path in paths.items()}
+    failed, output = check(folder)
+    return {book: Outcome(changed[book], failed[book], output) for book in BOOKS}
+
+
+def spoiled_copies(path: Path, folder: Path, book: str) -> set[int]:
+    """Write copies of a notebook, spoiled in one way each; returns the cells of `changed` that are."""
+    copies = {name: nbformat.read(path, as_version=4) for name in ("changed", *SPOILS)}
+    cells = {change_one(copies["changed"], change) for change in (change_digit, change_equation, change_picture)}
+    if book == "small":
+        copies["noisy"] = nbformat.read(path, as_version=4)
         change_one(copies["noisy"], add_noise)
-    changes = change_digit, change_equation, change_picture
-    cells = {change_one(copies["changed"], change) for change in changes}
-    end_after(copies["changed"], max(cells))  # what follows costs seconds, and is not changed
+    else:
+        end_after(copies["changed"], max(cells))  # what follows is not changed, and takes seconds
     for name, (spoil, _) in SPOILS.items():
         spoil(copies[name])
-    return Outcome(cells, *check(tmp_path_factory.mktemp("copies"), copies))
+    for name, copy in copies.items():
+        nbformat.write(copy, folder / f"{book}-{name}.ipynb")
+    return cells
 
 
-def check(folder: Path, notebooks: dict[str, nbformat.NotebookNode]) -> tuple[dict[str, set], str]:
-    """Run pytest on notebooks, as `make test` does; the cells of each that failed, and its output."""
-    for name, notebook in notebooks.items():
-        nbformat.write(notebook, folder / f"{name}.ipynb")
+def check(folder: Path) -> tuple[dict[str, dict[str, set]], str]:
+    """Run pytest on all copies, as `make test` does; the cells of each that failed, and its output."""
+    failed = {book: {name: set() for name in ("changed", "noisy", *SPOILS)} for book in BOOKS}
     command = [sys.executable, "-m", "pytest", "-n0", "-rA", "--color=no", "-c", ROOT / "pyproject.toml"]
     run = subprocess.run([*command, "--rootdir", ROOT, folder], capture_output=True, text=True, cwd=folder)
-    failed = {name: set() for name in notebooks}
-    lines = re.compile(r"^(?:FAILED|ERROR) \S*?(\w+)\.ipynb(?:::Cell (\d+))?", re.MULTILINE)
-    for name, cell in lines.findall(run.stdout):
-        failed[name].add(int(cell) if cell else "all")
+    lines = re.compile(r"^(?:FAILED|ERROR) \S*?(\w+)-(\w+)\.ipynb(?:::Cell (\d+))?", re.MULTILINE)
+    for book, name, cell in lines.findall(run.stdout):
+        failed[book][name].add(int(cell) if cell else "all")
     return failed, run.stdout
 
 
-@pytest.mark.parametrize("outcome", ["small"], indirect=True)
-def test_what_holds_passes_with_noise_that_nobody_sees(outcome):
-    assert len(re.findall(r"^PASSED .*noisy\.ipynb::Cell", outcome.output, re.MULTILINE)) == len(SMALL)
-    assert outcome.failed["noisy"] == set()
+def test_what_holds_passes_with_noise_that_nobody_sees(outcomes):
+    passed = re.findall(r"^PASSED .*small-noisy\.ipynb::Cell", outcomes["small"].output, re.MULTILINE)
+    assert len(passed) == len(SMALL)
+    assert outcomes["small"].failed["noisy"] == set()
 
 
-def test_a_changed_output_fails_in_its_own_cell_only(outcome):
+@pytest.mark.parametrize("book", BOOKS)
+def test_a_changed_output_fails_in_its_own_cell_only(book, outcomes):
+    outcome = outcomes[book]
     assert len(outcome.changed) == 3
     assert outcome.failed["changed"] == outcome.changed
     assert "picture differs: " in outcome.output
 
 
-def test_a_notebook_not_as_made_is_refused(outcome):
+@pytest.mark.parametrize("book", BOOKS)
+def test_a_notebook_not_as_made_is_refused(book, outcomes):
     for name, (_, fault) in SPOILS.items():
-        assert outcome.failed[name] == {"all"}
-        assert f"{name}.ipynb {fault}; run `make notebooks`." in outcome.output
+        assert outcomes[book].failed[name] == {"all"}
+        assert f"{book}-{name}.ipynb {fault}; run `make notebooks`." in outcomes[book].output
 
 
 def change_one(notebook, change) -> int:

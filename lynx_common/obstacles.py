@@ -10,6 +10,7 @@ import numpy as np
 
 from . import arm
 from .errors import InputError
+from .reading import real
 from .symbolic import CHUNK
 
 EPS = np.finfo(float).eps
@@ -26,17 +27,17 @@ class Sphere:
     radius: float
 
     def __post_init__(self) -> None:
-        centre, radius = np.asarray(self.centre), np.asarray(self.radius)
-        if centre.shape != (3,) or np.iscomplexobj(centre) or not np.isfinite(centre).all():
+        centre, radius = real(self.centre, "the centre of a sphere"), real(self.radius, "its radius")
+        if centre.shape != (3,) or not np.isfinite(centre).all():
             raise InputError(f"The centre of a sphere is three finite numbers; {self.centre!r} was given.")
-        if radius.shape != () or np.iscomplexobj(radius) or not (np.isfinite(radius) and radius >= 0):
+        if radius.shape != () or not 0 <= radius < np.inf:
             raise InputError(f"The radius of a sphere is finite and not negative; {self.radius!r} was given.")
         object.__setattr__(self, "centre", tuple(map(float, centre)))
         object.__setattr__(self, "radius", float(radius))
 
     def distance(self, points: np.ndarray) -> np.ndarray:
         """Distance of points from the surface, negative inside: (..., 3) to (...)."""
-        return np.linalg.norm(np.asarray(points) - self.centre, axis=-1) - self.radius
+        return np.linalg.norm(real(points, "points", 3) - self.centre, axis=-1) - self.radius
 
 
 def clearance(
@@ -57,14 +58,14 @@ def clearance(
     distance : array, shape (...)
         Metres; NaN where q is not finite. Raises InputError where the link radius is not finite or negative.
     """
-    if not (np.isfinite(link_radius) and link_radius >= 0):
+    if not 0 <= real(link_radius, "the radius of the links") < np.inf:
         raise InputError(f"The radius of the links is finite and not negative; {link_radius} was given.")
     q = np.asarray(q)
     points = arm.joint_positions(q, geometry).reshape(-1, 5, 3)
     nearest = np.empty(len(points))
     for start in range(0, len(points), CHUNK):
         part = slice(start, start + CHUNK)
-        nearest[part] = _nearest(np.ascontiguousarray(points[part].T), sphere.centre)
+        nearest[part] = _distance(np.ascontiguousarray(points[part].T), sphere.centre)
     return (nearest - sphere.radius - link_radius).reshape(q.shape[:-1])
 
 
@@ -130,13 +131,9 @@ def certify(
         How far a value of f may be from the true one, in units of f. This, and what the rounding of q can
         change, is taken off each bound.
 
-    Returns
-    -------
-    certificate : Certificate
-        Undecided where the budget is spent, or f touches the minimum within rounding. Raises InputError where q,
-        a value of f, or one of the numbers is not finite, or ``lipschitz`` or ``rounding`` is negative.
-
-    Source: the lower bound of Piyavskii and Shubert, by bisection.
+    Undecided where the budget is spent, or f touches the minimum within rounding. Raises InputError where q, a
+    value of f, or one of the numbers is not real and finite, or ``lipschitz`` or ``rounding`` is negative. Source:
+    the lower bound of Piyavskii and Shubert, by bisection.
     """
     q = _samples(q, lipschitz, minimum, rounding)
     start, change = (q, 0 * q) if len(q) == 1 else (q[:-1], np.diff(q, axis=0))
@@ -148,11 +145,11 @@ def certify(
         if evaluations + len(segment) > budget:
             return Certificate("undecided", float(min(proven, left)), evaluations, None)
         at = start[segment] + middle[:, None] * change[segment]
-        value, change_to_end = _values(f, at), reach[segment] * half
+        (low, high), change_to_end = _values(f, at, slack), reach[segment] * half
         evaluations += len(at)
-        bound = value - change_to_end - slack - 4 * EPS * np.abs(value)
-        if value.min() < minimum:
-            return Certificate("refuted", float(min(proven, bound.min())), evaluations, at[value.argmin()])
+        bound = low - change_to_end
+        if high.min() < minimum:
+            return Certificate("refuted", float(min(proven, bound.min())), evaluations, at[high.argmin()])
         short = bound < minimum
         halve = short & (change_to_end > slack)  # below the slack halving does not help
         verdict = "undecided" if (short & ~halve).any() else verdict
@@ -163,13 +160,14 @@ def certify(
 
 
 def _samples(q: np.ndarray, lipschitz: float, minimum: float, rounding: float) -> np.ndarray:
-    q = np.asarray(q)
-    if q.ndim != 2 or not q.size or np.iscomplexobj(q) or not np.isfinite(q).all():
+    q = real(q, "joint angles")
+    if q.ndim != 2 or not q.size or not np.isfinite(q).all():
         raise InputError(f"Finite joint angles are expected, (n, m) with n >= 1; shape {q.shape} was given.")
-    if not (np.isfinite([lipschitz, minimum, rounding]).all() and min(lipschitz, rounding) >= 0):
-        given = f"{lipschitz}, {minimum} and {rounding} were given"
+    lipschitz, minimum, rounding = real([lipschitz, minimum, rounding], "Lipschitz constant, minimum and rounding")
+    if not (0 <= lipschitz < np.inf and np.isfinite(minimum) and 0 <= rounding < np.inf):
+        given = f"{lipschitz:g}, {minimum:g} and {rounding:g} were given"
         raise InputError(f"Lipschitz constant, minimum and rounding are finite, the first and last >= 0; {given}.")
-    return q.astype(float)
+    return q
 
 
 def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -182,14 +180,16 @@ def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return segment, np.repeat([0, 1, 0.5], [segments, 1, segments]), np.repeat([0, 0.5], [segments + 1, segments])
 
 
-def _values(f: Callable[[np.ndarray], np.ndarray], q: np.ndarray) -> np.ndarray:
-    value = np.asarray(f(q)).reshape(len(q))
+def _values(f: Callable[[np.ndarray], np.ndarray], q: np.ndarray, slack: float) -> tuple[np.ndarray, np.ndarray]:
+    """Between which values, (k,) each, f lies at q, (k, m)."""
+    value = real(f(q), "the quantity").reshape(len(q))
     if (bad := ~np.isfinite(value)).any():
         raise InputError(f"The quantity is {value[bad][0]} at q = {q[bad][0].tolist()}.")
-    return value
+    doubt = slack + 4 * EPS * np.abs(value)
+    return value - doubt, value + doubt
 
 
-def _nearest(points: np.ndarray, centre: tuple[float, float, float]) -> np.ndarray:
+def _distance(points: np.ndarray, centre: tuple[float, float, float]) -> np.ndarray:
     """Distance (k,) of a point from the lines between joint positions, (3, 5, k)."""
     link = points[:, 1:] - points[:, :-1]
     towards = np.array(centre)[:, None, None] - points[:, :-1]

@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 from sympy.simplify.fu import TR5, TR10i
 
+from . import reading
 from .errors import InputError
 
 # The five joint angles and the four lengths of the Lynxmotion arm; report Tables 1.2 and 1.3.
@@ -89,15 +90,13 @@ def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...]
 
 
 def real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
-    """``x`` as float64; InputError where it is complex or its last axis does not match ``symbols``."""
-    x = np.asarray(x)
-    if np.iscomplexobj(x):
-        raise InputError(f"Real numbers are expected for {_named(symbols)}; complex ones were given.")
+    """``x`` as float64; InputError where it is not real or its last axis does not match ``symbols``."""
+    x = reading.real(x, _named(symbols))
     if x.ndim == 0 or x.shape[-1] != len(symbols):
         raise InputError(
             f"The last axis must hold the {len(symbols)} values {_named(symbols)}; the shape given is {x.shape}."
         )
-    return x.astype(float, copy=False)
+    return x
 
 
 def _flat(x: np.ndarray, batch: tuple[int, ...], size: int) -> np.ndarray:
@@ -105,7 +104,7 @@ def _flat(x: np.ndarray, batch: tuple[int, ...], size: int) -> np.ndarray:
 
 
 def _named(symbols: tuple[sp.Symbol, ...]) -> str:
-    return f"({', '.join(map(str, symbols))})"
+    return f"({', '.join(map(str, symbols))})" if len(symbols) > 1 else str(symbols[0])
 
 
 def _fill(out: np.ndarray, function: Callable, arrays: list[np.ndarray]) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from . import arm
 from .arcs import Region
 from .errors import InputError
+from .reading import limits as read_limits
 from .symbolic import CHUNK
 
 POINTS = {"wrist": 3, "gripper": 4}  # rows of ``arm.joint_positions``
@@ -61,7 +62,7 @@ def sweep(limits: np.ndarray, step: float, point: str = "wrist", geometry: arm.G
     Points are distinct to 1e-9 m. Raises InputError where limits are reversed, or where ``step`` (radians) is not
     positive or larger than a joint's range.
     """
-    limits, row, unit = _limits(limits), _row(point), SAME * max(1, sum(geometry))
+    limits, row, unit = read_limits(limits, 4), _row(point), SAME * max(1, sum(geometry))
     azimuth, *values = (_values(joint, *pair, step) for joint, pair in enumerate(limits, start=1))
     combinations = len(azimuth) * prod(map(len, values))
     if point == "wrist":
@@ -70,7 +71,7 @@ def sweep(limits: np.ndarray, step: float, point: str = "wrist", geometry: arm.G
     for start in range(0, len(values[0]), at_once):
         postures = np.meshgrid(0, values[0][start : start + at_once], *values[1:], 0, indexing="ij")
         r, _, z = arm.joint_positions(np.stack(postures, axis=-1).reshape(-1, 5), geometry)[:, row].T
-        found.append(np.unique(_nearest(r / unit) * PLACES + _nearest(z / unit)))
+        found.append(np.unique(_rounded(r / unit) * PLACES + _rounded(z / unit)))
     distinct = np.unique(np.concatenate(found))
     r = (distinct + PLACES // 2) // PLACES
     return Sweep(unit * r, unit * (distinct - r * PLACES), combinations, azimuth)
@@ -89,9 +90,9 @@ def occupancy(points: Sweep, edge: float) -> Occupancy:
     if (size := wide * wide * tall) > LARGEST_GRID:
         raise InputError(f"With an edge of {edge} m the grid would take {size / 1e9:.1f} GB; 1 GB is allowed.")
     grid = np.zeros((wide, wide, tall), bool)
-    layer = _nearest((points.z - low) / edge)
+    layer = _rounded((points.z - low) / edge)
     for azimuth in points.azimuth:
-        x, y = (_nearest(points.r * along / edge) for along in (np.cos(azimuth), np.sin(azimuth)))
+        x, y = (_rounded(points.r * along / edge) for along in (np.cos(azimuth), np.sin(azimuth)))
         grid.reshape(-1)[((half + x) * wide + half + y) * tall + layer] = True
     return Occupancy(grid, np.array([-half * edge, -half * edge, low]), edge)
 
@@ -104,7 +105,7 @@ def section(limits: np.ndarray, point: str = "wrist", geometry: arm.Geometry = a
 
     Source: notebook A2, sections 4 and 7.
     """
-    limits, _ = _limits(limits), _row(point)
+    limits, _ = read_limits(limits, 4), _row(point)
     region = Region(_circles(limits, geometry), lambda points: _wrist_reaches(points, limits, geometry))
     if point == "wrist":
         return region
@@ -134,7 +135,7 @@ def _wrist_reaches(points: np.ndarray, limits: np.ndarray, geometry: arm.Geometr
     return arm.within_limits(q, within).any(axis=-1)
 
 
-def _nearest(x: np.ndarray) -> np.ndarray:
+def _rounded(x: np.ndarray) -> np.ndarray:
     return np.rint(x).astype(np.intp)
 
 
@@ -142,16 +143,6 @@ def _row(point: str) -> int:
     if point not in POINTS:
         raise InputError(f"The point is one of {', '.join(POINTS)}; {point!r} was given.")
     return POINTS[point]
-
-
-def _limits(limits: np.ndarray) -> np.ndarray:
-    limits = np.asarray(limits)
-    if limits.shape != (4, 2) or np.iscomplexobj(limits) or not np.isfinite(limits).all():
-        raise InputError("Limits are expected as a (4, 2) array of finite angles: lower and upper, joints 1 to 4.")
-    for joint, (lower, upper) in enumerate(limits, start=1):
-        if lower > upper:
-            raise InputError(f"The limits of joint {joint} are reversed: {lower:.4f} is above {upper:.4f} rad.")
-    return limits.astype(float)
 
 
 def _values(joint: int, lower: float, upper: float, step: float) -> np.ndarray:

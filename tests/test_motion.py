@@ -475,9 +475,9 @@ def test_along_the_boundary_of_its_reach_the_arm_stays_straight():
         (A, arm.JOINT_LIMITS, r"\(n, 5\); the shape given is \(5,\)"),
         ([A, A * np.nan], arm.JOINT_LIMITS, "Sample 1 of the path is not finite"),
         ([A * 1j], arm.JOINT_LIMITS, "Real numbers"),
-        ([A], arm.JOINT_LIMITS[:, ::-1], "five finite pairs"),
-        ([A], arm.JOINT_LIMITS[:4], "five finite pairs"),
-        ([A], np.array([[-np.inf, np.inf]] * 5), "five finite pairs"),
+        ([A], arm.JOINT_LIMITS[:, ::-1], "limits of joint 1 are reversed"),
+        ([A], arm.JOINT_LIMITS[:4], r"\(5, 2\) array of finite angles"),
+        ([A], np.array([[-np.inf, np.inf]] * 5), r"\(5, 2\) array of finite angles"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(task, limits, message):
@@ -594,11 +594,19 @@ def test_what_stands_still_takes_no_time():
 @pytest.mark.parametrize(
     ("q", "speed", "acceleration", "error", "message"),
     [
-        (np.where(np.arange(20)[:, None] > 17, np.nan, 0.0) * np.ones(5), 1, 1, InputError, "Sample 18"),
+        (
+            np.where(np.arange(20)[:, None] > 17, np.nan, 0.0) * np.ones(5),
+            1,
+            1,
+            InputError,
+            "2 samples are not finite, the first is number 18",
+        ),
         (np.zeros((3, 5)), 1, 1, InputError, "Four samples"),
         (np.zeros(5), 1, 1, InputError, "Four samples"),
-        (np.zeros((9, 5)), 0, 1, InputError, "limit of speed is positive"),
-        (np.zeros((9, 5)), 1, [1, 1, 1, np.nan, 1], InputError, "limit of acceleration is positive"),
+        (np.zeros((9, 5)), np.ones((5, 1)), 1, InputError, "limit of speed is one positive number"),
+        (np.zeros((9, 5)), 1, 1j, InputError, "Real numbers are expected for a limit of acceleration"),
+        (np.zeros((9, 5)), 0, 1, InputError, "limit of speed is one positive number"),
+        (np.zeros((9, 5)), 1, [1, 1, 1, np.nan, 1], InputError, "limit of acceleration is one positive number"),
         (
             np.where(np.arange(20)[:, None] > 7, 2.0, 0.0) * np.eye(5)[2],
             1,

@@ -230,7 +230,7 @@ def test_a_start_in_collision_is_refuted_at_once():
 @pytest.mark.parametrize("end", [0, -1])
 def test_a_violation_at_one_end_only_is_found(end):
     def f(q):
-        return np.abs(q[:, 0] - [0.0, 1.0][end]) - 1e-300
+        return np.abs(q[:, 0] - [0.0, 1.0][end]) - 1e-9
 
     assert obstacles.certify(f, 1.0, np.array([[0.0], [1.0]])).verdict == "refuted"
 
@@ -274,7 +274,9 @@ def test_single_samples_and_pieces_of_no_length(samples):
         (np.sum, 1, np.zeros(5), 0, r"shape \(5,\)"),
         (np.sum, 1, np.zeros((0, 5)), 0, r"shape \(0, 5\)"),
         (np.sum, 1, np.array([[0, 1], [np.nan, 0]]), 0, "Finite joint angles"),
-        (np.sum, 1, np.zeros((2, 5)) * 1j, 0, "Finite joint angles"),
+        (np.sum, 1, np.zeros((2, 5)) * 1j, 0, "Real numbers are expected for joint angles"),
+        (lambda q: q[:, 0] * 1j, 1, np.zeros((2, 5)), 0, "Real numbers are expected for the quantity"),
+        (np.sum, 1, np.zeros((2, 5)), 1j, "Real numbers are expected for Lipschitz constant, minimum"),
         (np.sum, -1, np.zeros((2, 5)), 0, "-1, 0 and 1e-12 were given"),
         (np.sum, np.nan, np.zeros((2, 5)), 0, "Lipschitz constant"),
         (np.sum, 1, np.zeros((2, 5)), np.nan, "minimum"),

@@ -568,9 +568,27 @@ def test_wrong_shapes_and_complex_numbers_are_refused(function, shape, given):
         function(given)
 
 
+@pytest.mark.parametrize("mode", [-1, 8, None, True, 1.5, "+++"])
+def test_a_working_mode_is_one_of_eight(mode):
+    with pytest.raises(InputError, match=r"working mode is a number from 0 to 7; .* was given"):
+        rrr.solve([0, 0, 0], mode)
+
+
+STRANGE_POSES = [[np.nan] * 3, [0, np.inf, 0], [0, 0], np.zeros((2, 3)), [1j, 0, 0], None, "abc"]
+
+
+@pytest.mark.parametrize("given", STRANGE_POSES, ids=range(len(STRANGE_POSES)))
+def test_what_is_not_one_finite_pose_is_refused(given):
+    for call in (lambda: rrr.solve(given), lambda: rrr.assemble(given, [0, 0, 0])):
+        with pytest.raises(InputError):
+            call()
+    with pytest.raises(InputError):
+        rrr.assemble([0.3, 0.2, 0.1], given)
+
+
 @pytest.mark.parametrize("alpha", [np.nan, np.inf, 1j, [0.1, 0.2]])
 def test_a_workspace_has_one_finite_alpha(alpha):
-    with pytest.raises(InputError, match="One finite angle"):
+    with pytest.raises(InputError, match=r"One finite angle|Real numbers are expected for the angle alpha"):
         rrr.constant_orientation_workspace(alpha)
 
 

@@ -371,20 +371,20 @@ def test_what_is_not_the_matrix_of_a_twist_is_refused():
 
 def test_axes_of_another_length_and_zero_screws_are_refused():
     for call in (screws.revolute, screws.force):
-        with pytest.raises(ScrewError, match=r"unit vector; the one given has length 2\."):
+        with pytest.raises(ScrewError, match=r"must be a unit vector; the one given has length 2\."):
             call([0, 0, 2], [0, 0, 0])
     with pytest.raises(ScrewError, match=r"length 0\."):
         screws.prismatic([0, 0, 0])
     with pytest.raises(ScrewError) as fault:
         screws.couple([[0, 0, 1], [0, 0, 1 + 1e-8]])
     assert fault.value.length == 1 + 1e-8
-    with pytest.raises(ScrewError, match="A screw has an axis"):
+    with pytest.raises(ScrewError, match="A screw must have an axis"):
         screws.screw_axis([[0, 0, 1, 0, 0, 1], [0, 0, 0, 0, 0, 0]])
     twists, home = joint_screws(arm.LYNX)
     for factor in (0, 2):
         changed = twists.copy()
         changed[:, 2] *= factor
-        with pytest.raises(ScrewError, match=f"The screw of joint 3 is a unit screw.*length {factor}"):
+        with pytest.raises(ScrewError, match=f"The screw of joint 3 must be a unit screw.*length {factor}"):
             screws.product_of_exponentials(changed, home, np.zeros(5))
         with pytest.raises(ScrewError, match="joint 3"):
             screws.space_jacobian(changed, np.zeros(5))

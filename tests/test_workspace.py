@@ -148,7 +148,7 @@ BAD = [
     (bad(limits=RANGES[:, ::-1]), "limits of joint 1 are reversed: 6.2832 is above 0.0000"),
     (bad(limits=RANGES * np.nan), "finite angles"),
     (bad(limits=arm.JOINT_LIMITS), "(4, 2) array"),
-    (bad(limits=RANGES + 1j), "finite angles"),
+    (bad(limits=RANGES + 1j), "Real numbers are expected for limits"),
     (lambda: workspace.section(RANGES, "elbow"), "one of wrist, gripper"),
     (lambda: workspace.section(np.array([[0, 1], [0, 1], [1, 0], [0, 1]])), "joint 3 are reversed"),
     (lambda: workspace.section(LIMITS[5], "gripper"), "one of them stands still"),

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import InputError
+from ..reading import real
 from .circles import BESIDE, arcs_of, cuts_of, distinct, on
 
 
@@ -19,7 +20,7 @@ class Region:
     """
 
     def __init__(self, circles: np.ndarray, contains: Callable[[np.ndarray], np.ndarray]):
-        circles = np.asarray(circles, float)
+        circles = real(circles, "circles")
         if circles.shape[1:] != (3,) or not np.isfinite(circles).all() or (circles[:, 2] < 0).any():
             raise InputError("Circles are expected as finite rows x, y, radius, the radius not negative.")
         self.circles, self.contains = circles, contains
@@ -83,6 +84,7 @@ class Region:
 
     @property
     def perimeter(self) -> float:
+        """Length of the whole boundary, that of holes included."""
         return float((self.arcs[:, 2] * abs(self.arcs[:, 4])).sum())
 
     @property
@@ -98,8 +100,8 @@ class Region:
         return float(np.pi / 2 * (side * rho * cubic @ [-1, 1]).sum())
 
     def distances(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Distance from points (..., 2) to the nearest and to the farthest point of the boundary."""
-        points = np.asarray(points, float)[..., None, :]
+        """Distance from points (..., 2) to the nearest and to the farthest point of the boundary: two of (...)."""
+        points = real(points, "points of the plane", 2)[..., None, :]
         away = points - self.arcs[:, :2]
         rho, d = self.arcs[:, 2], np.hypot(away[..., 0], away[..., 1])
         to_ends = np.linalg.norm(points[..., None, :] - self.ends, axis=-1)
@@ -148,7 +150,7 @@ def annulus(x: float, y: float, inner: float, outer: float) -> Region:
         raise InputError(f"An annulus has radii 0 <= inner <= outer; {inner} and {outer} were given.")
 
     def contains(points: np.ndarray) -> np.ndarray:
-        d = np.hypot(*np.moveaxis(np.asarray(points, float) - [x, y], -1, 0))
+        d = np.hypot(*np.moveaxis(real(points, "points of the plane", 2) - [x, y], -1, 0))
         return (d >= inner) & (d <= outer)
 
     return Region([(x, y, inner), (x, y, outer)], contains)

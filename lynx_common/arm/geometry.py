@@ -8,6 +8,7 @@ import sympy as sp
 
 from .. import dh
 from ..errors import GeometryError
+from ..reading import limits as read_limits
 from ..symbolic import P, Q, real
 
 
@@ -76,14 +77,14 @@ AT_LIMIT = 1e-9
 def within_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
     """Whether every joint is within ``limits`` (5, 2), give or take full turns: (..., 5) to (...) of bool.
 
-    NaN and infinite angles are not.
+    NaN and infinite angles are not. Raises InputError unless the limits are finite, and none reversed.
     """
     return np.isfinite(into_limits(q, limits)).all(axis=-1)
 
 
 def into_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
     """The same angles, (..., 5), moved by full turns into ``limits``; NaN where no turn brings them there."""
-    lower, upper = limits.T
+    lower, upper = read_limits(limits, 5).T
     with np.errstate(invalid="ignore"):
         above = np.mod(real(q, Q) - lower + AT_LIMIT, 2 * np.pi) - AT_LIMIT
     return np.where(above <= upper - lower + AT_LIMIT, np.clip(lower + above, lower, upper), np.nan)

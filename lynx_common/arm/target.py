@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..errors import InputError, JointLimitError, NotAchievableError, OutOfReachError
+from ..reading import POSE_TOLERANCE, pose
 from ..symbolic import real
 from .geometry import JOINT_LIMITS, LYNX, Geometry, into_limits
 from .inverse import BRANCHES, XYZ, angle, front, inverse_kinematics, reach, wrist
@@ -10,8 +11,8 @@ from .inverse import BRANCHES, XYZ, angle, front, inverse_kinematics, reach, wri
 # A position this near to the base axis, as a share of the arm's length, has no azimuth of its own.
 AXIS_TOLERANCE = 1e-9
 
-# How far a matrix may be from a rotation, and a tool axis from the arm's plane (radians).
-POSE_TOLERANCE = 1e-6
+# How far a tool axis may be from the arm's plane, in radians: as far as a matrix may be from a rotation.
+IN_PLANE = POSE_TOLERANCE
 
 
 def solve(
@@ -22,12 +23,12 @@ def solve(
     ``position`` is (3,) in metres, ``branch`` an index into ``BRANCHES``. Raises OutOfReachError,
     JointLimitError, and InputError for a target that is not one position and two angles, all finite.
     """
-    if branch not in range(len(BRANCHES)):
+    if isinstance(branch, bool) or branch not in range(len(BRANCHES)):
         raise InputError(f"The branch is a number from 0 to {len(BRANCHES) - 1}; {branch!r} was given.")
     task = front(real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll"))
     if task.shape != (5,) or not np.isfinite(task).all():
         raise InputError("One target is expected: three coordinates, a pitch and a roll, all finite.")
-    q = inverse_kinematics(position, pitch, roll, geometry)[branch]
+    q = inverse_kinematics(position, pitch, roll, geometry)[int(branch)]
     if np.isnan(q).any():
         raise OutOfReachError(*map(float, reach(wrist()(task, geometry), geometry)))
     allowed = into_limits(q)
@@ -44,29 +45,18 @@ def task_of_pose(T: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
     the azimuth is the tool's own, and 0 if the tool stands upright there. Raises InputError where ``T`` is not
     a pose. Whether the links reach is not asked here.
     """
-    R, p = _pose_parts(T)
-    x, y, axis = R.T
+    T = pose(T)
+    if T.shape != (4, 4) or np.isnan(T).any():
+        raise InputError("A pose is expected: a 4 x 4 matrix of real, finite numbers.")
+    (x, y, axis), p = T[:3, :3].T, T[:3, 3]
     on_axis = np.hypot(p[0], p[1]) <= AXIS_TOLERANCE * sum(geometry)
     level = axis[:2] if on_axis else p[:2]
-    upright = np.hypot(level[0], level[1]) <= POSE_TOLERANCE * on_axis
+    upright = on_axis and np.hypot(level[0], level[1]) <= IN_PLANE
     azimuth = 0.0 if upright else np.arctan2(level[1], level[0])
     outward = np.array([np.cos(azimuth), np.sin(azimuth), 0])
     left = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
     leaves = np.arcsin(np.clip(axis @ left, -1, 1))
-    if abs(leaves) > POSE_TOLERANCE:
+    if abs(leaves) > IN_PLANE:
         raise NotAchievableError(float(leaves))
     pitch, roll = np.arctan2(axis[2], axis @ outward), np.arctan2(-x @ left, -y @ left)
     return np.array([azimuth, 0.0 if on_axis else p @ outward, p[2], pitch, roll])
-
-
-def _pose_parts(T: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    T = np.asarray(T)
-    if T.shape != (4, 4) or np.iscomplexobj(T) or not np.isfinite(T).all():
-        raise InputError("A pose is expected: a 4 x 4 matrix of real, finite numbers.")
-    R = T[:3, :3].astype(float)
-    off = max(np.abs(R.T @ R - np.eye(3)).max(), np.abs(T[3] - [0, 0, 0, 1]).max(), abs(np.linalg.det(R) - 1))
-    if off > POSE_TOLERANCE:
-        raise InputError(
-            f"A pose is expected: a rotation, a position, and the row 0 0 0 1; it is off by {off:.2g}."
-        )
-    return R, T[:3, 3].astype(float)

@@ -58,9 +58,8 @@ def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometr
     for line, name in zip(artists, STYLES, strict=False):
         line.set_data(*lines[name].T)
     middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
-    beside *= np.where((beside * (middle - lines["needle"])).sum(axis=1) < 0, -1, 1)[
-        :, None
-    ]  # away from the needle
+    inwards = (beside * (middle - lines["needle"])).sum(axis=1, keepdims=True) < 0
+    beside = np.where(inwards, -beside, beside)  # away from the needle
     places = middle + geometry.r_platform / 3 * beside
     for text, place, gap, shown in zip(artists[len(STYLES) :], places, gaps, is_open, strict=True):
         text.set(position=place, text=f"{gap:.1f} mm" if shown else "")

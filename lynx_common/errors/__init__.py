@@ -1,6 +1,6 @@
 """Errors that say what was given, what is allowed, and by how much it is missed.
 
-Each takes the facts, keeps them as attributes and writes the sentence itself.
+Each but InputError takes the facts, keeps them as attributes and writes the sentence itself.
 """
 
 from .arm import JointLimitError, NotAchievableError, OutOfReachError

@@ -1,12 +1,16 @@
 """What any part of the package can refuse."""
 
+from difflib import get_close_matches
+
+MANY = 30  # known names; of more, only the nearest are said
+
 
 class LynxError(Exception):
     """Base class of the errors that this package raises on purpose."""
 
 
 class InputError(LynxError, ValueError):
-    """An array that cannot be meant: complex numbers, or a last axis of the wrong length."""
+    """What cannot be meant: complex numbers, a wrong shape, a step of zero; the sentence says what is expected."""
 
 
 class GeometryError(LynxError, ValueError):
@@ -30,7 +34,10 @@ class UnknownNameError(LynxError, KeyError):
 
     def __init__(self, kind: str, name: object, known: list[str]):
         self.kind, self.name, self.known = kind, name, known
-        super().__init__(f"There is no {kind} {name!r}. There is: {', '.join(known)}.")
+        few = len(known) <= MANY
+        near = known if few else sorted(get_close_matches(str(name), known, 5, 0), key=known.index)
+        there_is = "There is" if few else "Near it there is"
+        super().__init__(f"There is no {kind} {name!r}. {there_is}: {', '.join(near)}.")
 
     def __str__(self) -> str:
         return self.args[0]  # KeyError would put the sentence in quotation marks

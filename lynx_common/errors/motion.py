@@ -61,8 +61,8 @@ class NoPathError(LynxError):
         self.iterations, self.postures, self.distance = iterations, postures, distance
         super().__init__(
             f"No path was found in {iterations} iteration{'s' * (iterations > 1)}: "
-            f"of the {postures} postures reached, the nearest to the goal is {degrees(distance):.2f} deg away "
-            "from it. A larger budget may find one."
+            f"of the {postures} posture{'s' * (postures > 1)} reached, the nearest to the goal is "
+            f"{degrees(distance):.2f} deg away from it. A larger budget may find one."
         )
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .. import arm
+from .. import arm, reading
 from ..errors import CollisionError, EndpointError, InputError
 from ..symbolic import TASK, real
 from .following import follow
@@ -48,7 +48,7 @@ def detour(
         if distance < margin - ROOM:
             raise EndpointError(name, CollisionError(distance, margin))
     straight = line(start, end)
-    if _nearest(start[1:3] - centre, end[1:3] - centre) >= keep - ROOM:
+    if _distance_from_origin(start[1:3] - centre, end[1:3] - centre) >= keep - ROOM:
         return straight
     if turn:
         return _around(straight, centre, keep, turn)
@@ -103,18 +103,18 @@ def _ends(start: np.ndarray, end: np.ndarray, geometry: arm.Geometry) -> list[np
 
 
 def _circle(centre: tuple[float, float], radius: float, margin: float, turn: int) -> tuple[np.ndarray, float]:
-    centre = np.asarray(centre)
-    if centre.shape != (2,) or np.iscomplexobj(centre) or not np.isfinite(centre).all():
+    centre = reading.real(centre, "the centre of the circle")
+    if centre.shape != (2,) or not np.isfinite(centre).all():
         raise InputError(f"The centre of the circle is (r, z), two finite numbers; {centre.tolist()} was given.")
     for name, value in (("radius", radius), ("margin", margin)):
-        if not (np.isfinite(value) and value >= 0):
+        if not 0 <= reading.real(value, f"the {name}") < np.inf:
             raise InputError(f"The {name} is finite and not negative, in metres; {value} was given.")
     if turn not in (-1, 0, 1):
         raise InputError(f"The turn is 1, -1, or 0 for the shorter one; {turn!r} was given.")
-    return centre.astype(float), float(radius + margin)
+    return centre, float(radius + margin)
 
 
-def _nearest(first: np.ndarray, last: np.ndarray) -> float:
+def _distance_from_origin(first: np.ndarray, last: np.ndarray) -> float:
     """Distance of the origin from the segment between two points of the plane."""
     along = last - first
     squared = along @ along

@@ -10,6 +10,7 @@ from .. import arm
 from ..arm.geometry import AT_LIMIT
 from ..arm.inverse import reach, wrist
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
+from ..reading import limits as read_limits
 from ..symbolic import TASK, real
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
@@ -39,6 +40,7 @@ class Followed:
 
     @property
     def ok(self) -> bool:
+        """Whether every sample is reached, within limits, and no jump away from the one before."""
         return self.failure is None
 
 
@@ -64,7 +66,7 @@ def follow(task: np.ndarray, geometry: arm.Geometry = arm.LYNX, limits: np.ndarr
         Its q has ``task`` for task coordinates, give or take full turns. What happens between the samples is not
         asked. Raises InputError where ``task`` is not of shape (n, 5) or not finite, or limits make no sense.
     """
-    task, limits = _samples(task), _limits(limits)
+    task, limits = _samples(task), read_limits(limits, 5)
     elbows = _elbows(task, geometry)
     reached = np.isfinite(elbows[:, 0, 0])
     turns = _turns(elbows[reached], limits)
@@ -88,13 +90,6 @@ def _samples(task: np.ndarray) -> np.ndarray:
     for sample in np.flatnonzero(~np.isfinite(task).all(axis=1)):
         raise InputError(f"Sample {sample} of the path is not finite: {task[sample].tolist()}.")
     return task
-
-
-def _limits(limits: np.ndarray) -> np.ndarray:
-    limits = np.asarray(limits, dtype=float)
-    if limits.shape != (5, 2) or not np.isfinite(limits).all() or (limits[:, 0] > limits[:, 1]).any():
-        raise InputError(f"Joint limits are five finite pairs, lower and upper; {limits.tolist()} was given.")
-    return limits
 
 
 def _elbows(task: np.ndarray, geometry: arm.Geometry) -> np.ndarray:

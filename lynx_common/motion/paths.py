@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from .. import reading
 from ..arm.inverse import XYZ
 from ..errors import InputError
 from ..symbolic import TASK, real
@@ -75,7 +76,7 @@ def arc(
     """
     if not radius > 0:
         raise InputError(f"The radius of an arc is a positive length in metres; {radius} was given.")
-    if angles[0] == angles[1]:
+    if np.isfinite(angles).all() and angles[0] == angles[1]:
         raise InputError(f"An arc needs two different angles; both are {angles[0]} rad: its length is zero.")
     _, r, z, _, _ = _finite([azimuth, *centre, pitch[0], roll])
     # A line in (azimuth, radius, polar angle, pitch, roll), bent.
@@ -143,7 +144,8 @@ def joined(*paths: Path) -> Path:
         turns = 2 * np.pi * np.rint((end - start) / (2 * np.pi)) * ANGLES
         if not np.abs(start + turns - end).max() <= ROOM:
             raise InputError(
-                f"Path {number} begins at {start.round(6)}, where the one before ends at {end.round(6)}."
+                f"Path {number} begins at {start.round(6).tolist()}, "
+                f"where the one before ends at {end.round(6).tolist()}."
             )
         moved.append(Path(lambda s, path=path, turns=turns: path.point(s) + turns, path.slope))
     return Path(
@@ -163,14 +165,12 @@ def polyline(points: np.ndarray) -> Path:
 
 
 def unit(x: np.ndarray, name: str) -> np.ndarray:
-    """``x`` as float64; InputError where it is complex, NaN or not within 0 to 1."""
-    x = np.asarray(x)
-    if np.iscomplexobj(x):
-        raise InputError(f"The {name} is a real number; complex ones were given.")
+    """``x`` as float64; InputError where it is not real, NaN or not within 0 to 1."""
+    x = reading.real(x, f"the {name}")
     outside = ~((x >= -ROOM) & (x <= 1 + ROOM))
     if outside.any():
         raise InputError(f"The {name} runs from 0 to 1; {x[outside][0]} was given.")
-    return x.astype(float)
+    return x
 
 
 def _by_share(s: np.ndarray, functions: list[Callable]) -> np.ndarray:

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from .. import arm
+from .. import arm, reading
 from ..errors import InputError, JumpError
 from ..symbolic import TASK, P, Q, numeric, real
 from .following import LARGEST_STEP, STRETCHED
@@ -74,7 +74,7 @@ def duration(q: np.ndarray, speed_limits: np.ndarray, acceleration_limits: np.nd
             f"Four samples of joint angles or more are expected, (n, 5); the shape given is {q.shape}."
         )
     if bad := np.flatnonzero(~np.isfinite(q).all(axis=1)).tolist():
-        raise InputError(f"Sample {bad[0]} of the joint angles is not finite, nor are {len(bad) - 1} more.")
+        raise InputError(f"Of the joint angles {len(bad)} samples are not finite, the first is number {bad[0]}.")
     _check_steps(q)
     speed = (len(q) - 1) * np.diff(q, axis=0)
     acceleration = (len(q) - 1) * np.diff(speed, axis=0)
@@ -100,9 +100,9 @@ def _ends(values: np.ndarray, beyond: float) -> np.ndarray:
 
 
 def _limit(name: str, values: np.ndarray) -> np.ndarray:
-    values = np.asarray(values)
-    if not np.all(values > 0):
-        raise InputError(f"A limit of {name} is positive; {values.tolist()} was given.")
+    values = reading.real(values, f"a limit of {name}")
+    if values.shape not in ((), (5,)) or not np.all(values > 0):
+        raise InputError(f"A limit of {name} is one positive number, or one a joint; {values.tolist()} was given.")
     return values
 
 

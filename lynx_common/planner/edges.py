@@ -31,7 +31,10 @@ def edges_free(free: Free, a: np.ndarray, b: np.ndarray, resolution: float) -> n
 def _free(free: Free, q: np.ndarray) -> np.ndarray:
     found = np.asarray(free(q))
     if found.shape != (len(q),) or found.dtype != bool:
-        raise InputError(f"free(q) gives {len(q)} of bool here; it gave {found.dtype} of shape {found.shape}.")
+        raise InputError(
+            f"free(q) must return one bool a posture, shape ({len(q)},); "
+            f"it returned {found.dtype} of shape {found.shape}."
+        )
     return found
 
 
@@ -46,7 +49,7 @@ def problem(
     for name, q in (("start", start), ("goal", goal)):
         q = finite(name, q, 1)
         if q.shape != limits[:, 0].shape:
-            raise InputError(f"The {name} has {q.size} joints, where there are limits for {len(limits)}.")
+            raise InputError(f"The {name} must have one angle a joint, {len(limits)}; {q.size} were given.")
         for joint in np.flatnonzero((q < limits[:, 0] - AT_LIMIT) | (q > limits[:, 1] + AT_LIMIT)):
             cause = JointLimitError(int(joint) + 1, float(q[joint]), *map(float, limits[joint]))
             raise EndpointError(name, cause)
@@ -59,7 +62,8 @@ def problem(
 def finite(name: str, values: np.ndarray, axes: int) -> np.ndarray:
     values = np.asarray(values)
     if values.ndim != axes or not values.size or values.dtype.kind not in "iuf" or not np.isfinite(values).all():
-        raise InputError(f"The {name} must be finite real numbers on {axes} axes; {values.tolist()} was given.")
+        shape = "(m,)" if axes == 1 else "(m, 2)"
+        raise InputError(f"The {name} must be finite real numbers, {shape}; {values.tolist()} was given.")
     return values.astype(float)
 
 

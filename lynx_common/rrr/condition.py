@@ -1,5 +1,6 @@
 """The condition on alpha for the robot to close at given motor angles, and motor angles that do not fix it."""
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -51,9 +52,14 @@ def condition() -> sp.Matrix:
 def condition_at(alpha: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
     """Both terms of the condition, (..., 2)."""
     M = elbows(theta, geometry)
-    compiled = numeric(condition(), POSE[2:], ELBOWS, DESIGN)
-    return compiled(alpha[..., None], M.reshape(*M.shape[:-2], 6), geometry)
+    return _condition()(alpha[..., None], M.reshape(*M.shape[:-2], 6), geometry)
+
+
+@cache
+def _condition() -> Callable:
+    return numeric(condition(), POSE[2:], ELBOWS, DESIGN)
 
 
 def as_complex(points: np.ndarray) -> np.ndarray:
+    """Points of the plane, (..., 2), as complex numbers, (...)."""
     return points[..., 0] + 1j * points[..., 1]

@@ -5,9 +5,9 @@ from functools import cache
 import numpy as np
 
 from ..errors import NoPoseError, SelfMotionError
-from ..symbolic import real
+from ..symbolic import POSE, real
 from .condition import ALPHAS, as_complex, condition_at, self_motion
-from .geometry import RRR, THETA, Geometry, checked, elbows, platform_joints
+from .geometry import RRR, THETA, Geometry, checked, elbows, one, platform_joints
 from .velocity import velocity_rows
 
 MODES = 6  # assembly modes, at most
@@ -54,9 +54,10 @@ def assemble(theta: np.ndarray, near: np.ndarray, geometry: Geometry = RRR) -> n
     """The pose, (3,), at motor angles (3,) that is nearest to the pose ``near``, (3,).
 
     Distance is that in the plane, with alpha times r_platform as the third coordinate. Raises SelfMotionError
-    where the motor angles do not fix the pose, and NoPoseError where none closes.
+    where the motor angles do not fix the pose, NoPoseError where none closes, and InputError for anything but
+    three finite motor angles and one finite pose.
     """
-    theta, near = real(np.reshape(theta, (3,)), THETA), checked(np.reshape(near, (3,)))
+    theta, near = one("set of motor angles", theta, THETA), checked(one("pose", near, POSE))
     if self_motion(theta, geometry):
         raise SelfMotionError(theta.tolist())
     pose = forward_kinematics(theta, geometry)

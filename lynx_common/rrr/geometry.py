@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from ..errors import GeometryError
+from ..errors import GeometryError, InputError
 from ..symbolic import DESIGN, POSE, Q, numeric, real
 
 THETA = Q[:3]
@@ -93,19 +93,19 @@ RRR = Geometry()
 
 def base_joints(geometry: Geometry = RRR) -> np.ndarray:
     """The motors PB_1, PB_2, PB_3, in mm: (3, 2)."""
-    return _joints("base")(np.asarray(geometry))
+    return _base_joints()(np.asarray(geometry))
 
 
 def platform_joints(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """The platform's joints PP_i in mm: (..., 3) to (..., 3, 2); report eq. (2.1) with the angles of Table 2.2."""
-    return _joints("platform")(checked(pose), geometry)
+    return _platform_joints()(checked(pose), geometry)
 
 
 def elbows(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
-    """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2); NaN only for an angle that is."""
+    """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2). NaN makes NaN of its own elbow."""
     S_A, _, _, r_base, *_ = geometry
     legs = [(S_A, r_base, beta) for beta in geometry.base_angles]
-    return _joints("elbow")(real(theta, THETA)[..., None], np.array(legs))
+    return _elbow()(real(theta, THETA)[..., None], np.array(legs))
 
 
 def checked(pose: np.ndarray) -> np.ndarray:
@@ -118,14 +118,28 @@ def checked(pose: np.ndarray) -> np.ndarray:
     return pose
 
 
+def one(what: str, values: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
+    """``values`` as float64, (n,); InputError unless they are one finite number a symbol."""
+    values = real(values, symbols)
+    if values.ndim > 1 or not np.isfinite(values).all():
+        raise InputError(f"One {what} is expected, {len(symbols)} finite numbers; {values.tolist()} was given.")
+    return values
+
+
 @cache
-def _joints(which: str) -> Callable:
-    rows, vectors = {
-        "base": (base(), [DESIGN]),
-        "platform": (platform(), [POSE, DESIGN]),
-        "elbow": ((base() + driven())[0, :].T, [THETA[:1], (DESIGN[0], DESIGN[3], DESIGN[4])]),
-    }[which]
-    return numeric(rows, *vectors)
+def _base_joints() -> Callable:
+    return numeric(base(), DESIGN)
+
+
+@cache
+def _platform_joints() -> Callable:
+    return numeric(platform(), POSE, DESIGN)
+
+
+@cache
+def _elbow() -> Callable:
+    """That of one leg; a leg is S_A, r_base and its base angle."""
+    return numeric((base() + driven())[0, :].T, THETA[:1], (DESIGN[0], DESIGN[3], DESIGN[4]))
 
 
 def base() -> sp.Matrix:

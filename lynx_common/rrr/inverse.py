@@ -7,9 +7,9 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from ..errors import AssemblyError
+from ..errors import AssemblyError, InputError
 from ..symbolic import DESIGN, POSE, numeric
-from .geometry import RRR, Geometry, base, checked, platform
+from .geometry import RRR, Geometry, base, checked, one, platform
 
 # Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
 WORKING_MODES = tuple(product((1, -1), repeat=3))
@@ -39,22 +39,25 @@ def inverse_kinematics(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray
     """
     pose = checked(pose)
     both = _both_sides()(pose, geometry).reshape(*pose.shape[:-1], 2, 3)
-    both = np.where(_spans(_lengths()(pose, geometry), geometry)[..., None, :], both, np.nan)
+    both = np.where(spans(squared_lengths()(pose, geometry), geometry)[..., None, :], both, np.nan)
     side = (1 - np.array(WORKING_MODES)) // 2
     return both[..., side, np.arange(3)]
 
 
 def leg_lengths(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """Distances |PP_i - PB_i| in mm, which a leg spans from |S_A - L| to S_A + L: (..., 3) to (..., 3)."""
-    return _lengths()(checked(pose), geometry)
+    return np.sqrt(squared_lengths()(checked(pose), geometry))
 
 
 def solve(pose: np.ndarray, mode: int = 0, geometry: Geometry = RRR) -> np.ndarray:
     """Motor angles, (3,), for one pose (3,) and one working mode, an index into ``WORKING_MODES``.
 
-    Raises AssemblyError, which names each leg that cannot close and by how much it misses.
+    Raises AssemblyError, which names each leg that cannot close and by how much it misses, and InputError for a
+    mode that there is not, or anything but one finite pose.
     """
-    theta = inverse_kinematics(np.reshape(pose, (3,)), geometry)[mode]
+    if isinstance(mode, bool) or mode not in range(len(WORKING_MODES)):
+        raise InputError(f"The working mode is a number from 0 to {len(WORKING_MODES) - 1}; {mode!r} was given.")
+    theta = inverse_kinematics(one("pose", pose, POSE), geometry)[int(mode)]
     if np.isnan(theta).any():
         length = leg_lengths(pose, geometry)
         (failing,) = np.nonzero(np.isnan(theta))
@@ -63,10 +66,11 @@ def solve(pose: np.ndarray, mode: int = 0, geometry: Geometry = RRR) -> np.ndarr
     return theta
 
 
-def _spans(length: np.ndarray, geometry: Geometry) -> np.ndarray:
+def spans(squared: np.ndarray, geometry: Geometry) -> np.ndarray:
+    """Whether a leg can span lengths given by their squares, mm^2: (...) to (...) of bool; NaN it cannot."""
     S_A, L, *_ = geometry
     slack = REACH_TOLERANCE * (S_A + L)
-    return (length >= abs(S_A - L) - slack) & (length <= S_A + L + slack)
+    return (squared >= max(abs(S_A - L) - slack, 0) ** 2) & (squared <= (S_A + L + slack) ** 2)
 
 
 def leg() -> sp.Matrix:
@@ -75,8 +79,9 @@ def leg() -> sp.Matrix:
 
 
 @cache
-def _lengths() -> Callable:
-    return numeric(sp.Matrix([sp.sqrt(x**2 + y**2) for x, y in leg().tolist()]), POSE, DESIGN)
+def squared_lengths() -> Callable:
+    """|PP_i - PB_i|^2 of poses (..., 3), in mm^2: (..., 3)."""
+    return numeric(sp.Matrix([x**2 + y**2 for x, y in leg().tolist()]), POSE, DESIGN)
 
 
 @cache

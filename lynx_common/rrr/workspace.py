@@ -1,26 +1,18 @@
 """Which poses the platform can take."""
 
-from collections.abc import Callable
-from functools import cache
-
 import numpy as np
-import sympy as sp
 
 from .. import arcs
 from ..errors import InputError
-from ..symbolic import DESIGN, POSE, numeric
+from ..reading import real
 from .geometry import RRR, Geometry, base_joints, checked, platform_joints
-from .inverse import REACH_TOLERANCE, leg
+from .inverse import spans, squared_lengths
 
 
 def reachable(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """Whether all three legs close at a pose, in some working mode: (..., 3) to (...) of bool; NaN is not."""
-    S_A, L, *_ = geometry
-    slack = REACH_TOLERANCE * (S_A + L)
-    nearest, farthest = max(abs(S_A - L) - slack, 0), S_A + L + slack
-    squared = _squared_lengths()(checked(pose), geometry)
-    legs = [(x >= nearest**2) & (x <= farthest**2) for x in np.moveaxis(squared, -1, 0)]
-    return legs[0] & legs[1] & legs[2]
+    legs = spans(squared_lengths()(checked(pose), geometry), geometry)
+    return legs[..., 0] & legs[..., 1] & legs[..., 2]
 
 
 def constant_orientation_workspace(alpha: float, geometry: Geometry = RRR) -> arcs.Region:
@@ -31,15 +23,10 @@ def constant_orientation_workspace(alpha: float, geometry: Geometry = RRR) -> ar
 
     Raises InputError unless alpha is one finite number. Source: notebook Part2, section 5.
     """
-    alpha = np.asarray(alpha)
-    if alpha.shape != () or np.iscomplexobj(alpha) or not np.isfinite(alpha):
+    alpha = real(alpha, "the angle alpha")
+    if alpha.shape != () or not np.isfinite(alpha):
         raise InputError(f"One finite angle alpha in radians is expected; {alpha!s} was given.")
     S_A, L, *_ = geometry
     centres = base_joints(geometry) - platform_joints(np.array([0, 0, alpha]), geometry)
     rings = [arcs.annulus(x, y, abs(S_A - L), S_A + L) for x, y in centres]
     return rings[0] & rings[1] & rings[2]
-
-
-@cache
-def _squared_lengths() -> Callable:
-    return numeric(sp.Matrix([x**2 + y**2 for x, y in leg().tolist()]), POSE, DESIGN)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..errors import InputError
-from .reading import pose, real
+from ..reading import pose, real
 
 # Below this angle (radians) limits take the place of quotients, which become 0/0. These are multiplied by
 # theta^2, so that the next term of their series, of order theta^2, counts for theta^4: less than rounding.

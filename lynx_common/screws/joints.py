@@ -3,9 +3,9 @@
 import numpy as np
 
 from ..errors import ScrewError
+from ..reading import pose, real
 from .exponential import adjoint, exp
 from .lines import UNIT_TOLERANCE
-from .reading import pose, real
 
 
 def product_of_exponentials(twists: np.ndarray, home: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -58,5 +58,5 @@ def _unit(twists: np.ndarray) -> np.ndarray:
     magnitude = np.where(turn > 0, turn, speed)
     if (off := ~(np.abs(magnitude - 1) <= UNIT_TOLERANCE)).any():
         joint = int(np.flatnonzero(off)[0])
-        raise ScrewError(f"The screw of joint {joint + 1} is a unit screw", float(magnitude[joint]))
+        raise ScrewError(f"The screw of joint {joint + 1} must be a unit screw", float(magnitude[joint]))
     return twists

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import ScrewError
-from .reading import real
+from ..reading import real
 
 # How far a unit vector may be from length 1.
 UNIT_TOLERANCE = 1e-9
@@ -39,7 +39,7 @@ def screw(axis: np.ndarray, point: np.ndarray, pitch: np.ndarray = 0.0) -> np.nd
     axis, point, pitch = real(axis, "an axis", 3), real(point, "a point", 3), real(pitch, "a pitch")[..., None]
     length = np.linalg.norm(axis, axis=-1)
     if (off := np.abs(length - 1) > UNIT_TOLERANCE).any():
-        raise ScrewError("An axis is a unit vector", float(length[off].flat[0]))
+        raise ScrewError("An axis must be a unit vector", float(length[off].flat[0]))
     turns = np.isfinite(pitch) | np.isnan(pitch)
     finite = np.where(turns, pitch, 0.0)
     with np.errstate(invalid="ignore"):
@@ -79,7 +79,7 @@ def screw_axis(twist: np.ndarray) -> Screw:
     v, omega = twist[..., :3], twist[..., 3:]
     speed, turn = (np.linalg.norm(x, axis=-1, keepdims=True) for x in (v, omega))
     if ((speed == 0) & (turn == 0)).any():
-        raise ScrewError("A screw has an axis", 0.0)
+        raise ScrewError("A screw must have an axis", 0.0)
     slides = turn <= NO_TURN * speed
     magnitude = np.where(slides, speed, turn)
     axis = np.where(slides, v, omega) / magnitude

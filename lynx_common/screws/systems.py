@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..errors import InputError
-from .reading import real
+from ..reading import real
 
 # Singular values below this share of the largest count as zero. Those of a dependent system come out near 1e-16 of
 # it; so what passes for dependent is so, but for errors of 1e-9 in the data.

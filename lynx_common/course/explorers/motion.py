@@ -48,9 +48,7 @@ def _motion_view(q: np.ndarray, geometry: arm.Geometry) -> Callable[[int], bytes
     redraw = over_a_background(fig, [*lines, now])
 
     def picture(sample: int) -> bytes:
-        fork = drawing.gripper(arm.forward_kinematics(q[sample], geometry), 0.06 * sum(geometry))
-        for line, points in zip(lines, (places[sample], fork), strict=True):
-            line.set_data_3d(*points.T)
+        drawing.move(lines, [], q[sample], geometry)
         now.set_xdata([sample, sample])
         return redraw()
 

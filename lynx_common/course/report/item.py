@@ -70,7 +70,7 @@ def differs(printed: object, derived: object, digits: int | None = None) -> str:
     if isinstance(printed, bool):
         return _claims_differ(printed, derived)
     if isinstance(printed, np.ndarray):
-        return _numbers_differ(printed, np.asarray(derived, float), digits)
+        return _numbers_differ(printed, np.asarray(derived), digits)
     return _expressions_differ(printed, derived)
 
 
@@ -83,7 +83,7 @@ def _claims_differ(printed: bool, derived: object) -> str:
 def _numbers_differ(printed: np.ndarray, derived: np.ndarray, digits: int) -> str:
     if printed.shape != derived.shape:
         return f"the shape is {derived.shape}, not {printed.shape}"
-    off = np.abs(derived - printed).max()
+    off = np.abs(derived.astype(complex) - printed).max()
     # Half a unit of the last digit printed; the hair on top is for decimals that binary cannot hold.
     return "" if off <= 0.5 * 10.0**-digits * (1 + 1e-6) else f"it is off by {off:.3g}"
 

@@ -1,23 +1,42 @@
-"""Reading arrays: real numbers of the right shape, or a sentence."""
+"""Reading what is given: real numbers of the right shape, or a sentence that says what was given instead."""
 
 import numpy as np
 
-from ..errors import InputError
+from .errors import InputError
 
 # How far the rotation of a pose may be from orthogonal.
 POSE_TOLERANCE = 1e-6
 
 
 def real(x: np.ndarray, name: str, *shape: int | None) -> np.ndarray:
-    """``x`` as float64 whose last axes have ``shape``, None being any length; InputError where they have not."""
+    """``x`` as float64 whose last axes have ``shape``, None being any length; InputError where they have not.
+
+    SymPy's numbers are read too. Complex ones are refused, and so are words.
+    """
     x = np.asarray(x)
     if np.iscomplexobj(x):
         raise InputError(f"Real numbers are expected for {name}; complex ones were given.")
+    try:
+        numbers = x.astype(float, copy=False, casting="unsafe" if x.dtype == object else "same_kind")
+    except (TypeError, ValueError):
+        raise InputError(f"Real numbers are expected for {name}; {x.tolist()!r} was given.") from None
     tail = x.shape[x.ndim - len(shape) :] if x.ndim >= len(shape) else ()
     if len(tail) != len(shape) or any(want not in (None, have) for have, want in zip(tail, shape, strict=True)):
         wanted = ", ".join("n" if want is None else str(want) for want in shape)
         raise InputError(f"The last axes of {name} must be ({wanted}); the shape given is {x.shape}.")
-    return x.astype(float, copy=False)
+    return numbers
+
+
+def limits(x: np.ndarray, joints: int) -> np.ndarray:
+    """Lower and upper limit of each joint as float64, (joints, 2); InputError unless finite and none reversed."""
+    x = real(x, "limits")
+    if x.shape != (joints, 2) or not np.isfinite(x).all():
+        shape = f"a ({joints}, 2) array of finite angles: lower and upper, joints 1 to {joints}"
+        raise InputError(f"Limits are expected as {shape}; {x.tolist()} was given.")
+    for joint, (lower, upper) in enumerate(x, start=1):
+        if lower > upper:
+            raise InputError(f"The limits of joint {joint} are reversed: {lower:.4f} is above {upper:.4f} rad.")
+    return x
 
 
 def pose(T: np.ndarray) -> np.ndarray:

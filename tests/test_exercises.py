@@ -467,7 +467,16 @@ def test_there_are_two_hints_and_the_first_points_to_the_second(name, capsys):
 
 
 STRANGE = ["x", [None] * 3, [None] * 5, {}, {1, 2}, object(), np.nan, [[1], [2, 3]], [sp.zoo] * 3, True]
-STRANGE += [1j, [1j, 1, 2], [[sp.eye(1), 2, 3]], [sp.nan] * 3, [sp.sin, 1, 2], [sp.Eq(sp.Symbol("x"), 1), 2, 3]]
+STRANGE += [
+    10**400,
+    np.float32(1),
+    1j,
+    [1j, 1, 2],
+    [[sp.eye(1), 2, 3]],
+    [sp.nan] * 3,
+    [sp.sin, 1, 2],
+    [sp.Eq(sp.Symbol("x"), 1), 2, 3],
+]
 
 
 @pytest.mark.parametrize("name", exercises.catalogue())

@@ -89,6 +89,7 @@ def front(position: np.ndarray, pitch: np.ndarray, roll: np.ndarray) -> np.ndarr
 
 
 def angle(value: np.ndarray, name: str) -> np.ndarray:
+    """Angles of any shape as float64; InputError, with their name, where they are not real."""
     return real(np.asarray(value)[..., None], sp.symbols([name]))[..., 0]
 
 

@@ -1,1 +1,1 @@
-"""The course around the robots: the report's ledger, figures, explorers and exercises."""
+"""The course around the robots: the report's ledger, figures, players, explorers, exercises, and their making."""

@@ -69,4 +69,5 @@ def execute(path: Path, **environment: str) -> str:
 
 
 def code_cells(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
+    """Its code cells, in order."""
     return [cell for cell in notebook.cells if cell.cell_type == "code"]

@@ -33,9 +33,11 @@ class Path:
     slope: Callable[[np.ndarray], np.ndarray]
 
     def __call__(self, s: np.ndarray) -> np.ndarray:
+        """Task coordinates at s."""
         return self.point(unit(s, "path's parameter s")[..., None])
 
     def derivative(self, s: np.ndarray) -> np.ndarray:
+        """How they change with s."""
         return self.slope(unit(s, "path's parameter s")[..., None])
 
 

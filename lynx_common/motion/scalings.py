@@ -3,7 +3,7 @@
 Each takes tau, (...) within 0 to 1, and returns s and its first and second derivative with respect to tau, three
 arrays of that shape; divided by T and T**2 they are those with respect to time. Raises InputError outside 0 to 1.
 
-Source: Lynch and Park, *Modern Robotics*, section 9.2; the last two are this course's.
+Source: Lynch and Park, *Modern Robotics*, section 9.2; ``from_stretch`` and ``to_stretch`` are this course's.
 """
 
 import numpy as np

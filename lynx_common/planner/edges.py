@@ -13,12 +13,15 @@ Free = Callable[[np.ndarray], np.ndarray]
 
 
 def joint_travel(path: np.ndarray) -> float:
-    """Sum of the lengths of the straight pieces of a path (n, m)."""
+    """Sum of the lengths of the straight pieces of a path (n, m), in radians."""
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
 def edges_free(free: Free, a: np.ndarray, b: np.ndarray, resolution: float) -> np.ndarray:
-    """Whether the straight lines from a to b, (k, m) each, are free, (k,): one call of ``free`` for all."""
+    """Whether the straight lines from a to b, (k, m) each, are free: (k,) of bool.
+
+    They are tried at every ``resolution`` radians or nearer, in one call of ``free`` for all.
+    """
     if not len(a):
         return np.zeros(0, bool)
     pieces = np.maximum(1, np.ceil(np.linalg.norm(b - a, axis=1) / resolution).astype(int))
@@ -60,6 +63,7 @@ def problem(
 
 
 def finite(name: str, values: np.ndarray, axes: int) -> np.ndarray:
+    """``values`` as float64; InputError unless they are finite real numbers on so many axes, one at least."""
     values = np.asarray(values)
     if values.ndim != axes or not values.size or values.dtype.kind not in "iuf" or not np.isfinite(values).all():
         shape = "(m,)" if axes == 1 else "(m, 2)"
@@ -68,11 +72,13 @@ def finite(name: str, values: np.ndarray, axes: int) -> np.ndarray:
 
 
 def check_budget(name: str, value: int) -> None:
+    """InputError unless ``value`` is a whole number, 1 or more."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
         raise InputError(f"The number of {name} is a whole number, 1 or more; {value!r} was given.")
 
 
 def check_lengths(**lengths: float) -> None:
+    """InputError unless each is one finite number above 0, in radians of joint travel."""
     for name, value in lengths.items():
         if np.iscomplexobj(value) or np.ndim(value) or not (np.isfinite(value) and value > 0):
             raise InputError(f"The {name} is a positive length in joint space; {value!r} was given.")

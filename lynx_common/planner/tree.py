@@ -32,6 +32,7 @@ class Growing:
         self.cost[START], self.squared[START], self.size = 0, start @ start, 2
 
     def add(self, q: np.ndarray, parent: int, edge: float) -> int:
+        """A new posture, reached from ``parent`` by a line of length ``edge``; returns its row."""
         new, self.size = self.size, self.size + 1
         self.q[new] = q
         self.children.append([])

@@ -3,8 +3,9 @@
 Angles are in radians. Each leg i has its motor at the base joint PB_i, an elbow M_i, and ends at the joint
 PP_i of the platform; the link S_A from PB_i to M_i is driven, the link L from M_i to PP_i is not. A *pose* is
 (X_c, Y_c, alpha), the platform's centre and its turn; ``theta`` holds the three motor angles, each measured
-from the x axis. All functions take batches; NaN or infinity in a row gives NaN, complex numbers and a last
-axis of another length raise InputError, and an alpha beyond a full turn each way warns that degrees were meant.
+from the x axis. All functions but ``solve`` and ``assemble`` take batches. NaN or infinity in a row gives NaN, and
+False where the answer is yes or no; complex numbers and a last axis of another length raise InputError, and an
+alpha beyond a full turn each way warns that degrees were meant.
 """
 
 from ..symbolic import DESIGN, POSE

@@ -15,6 +15,7 @@ from .geometry import RRR, Geometry, base, checked, one, platform
 WORKING_MODES = tuple(product((1, -1), repeat=3))
 
 # Room for rounding where a leg is stretched or folded, as a share of its length. The loop then stays open by less.
+# It is smaller than the arm's, whose targets are printed with few digits; here a leg bends by the root of it.
 REACH_TOLERANCE = 1e-12
 
 

@@ -6,8 +6,9 @@ The power of the one on the other is then the plain product f . v + m . omega. S
 (..., 6); the twists of several joints are the columns of a matrix, (..., 6, n), as in a Jacobian. Angles are in
 radians, lengths in any one unit.
 
-Many books write (omega, v) instead; there the blocks of ``adjoint`` change places. Where an input is NaN or
-infinite the result for that entry of the batch is NaN; complex numbers and wrong shapes raise InputError.
+Many books write (omega, v) instead; there the blocks of ``adjoint`` change places. Where a twist, a wrench or a
+pose is not finite, no finite number comes of it; a chain of joints and a system must be finite. Complex numbers
+and wrong shapes raise InputError.
 
 Source: K. Lynch and F. Park, Modern Robotics, chapters 3 to 5, with the halves of the six-vectors exchanged.
 """

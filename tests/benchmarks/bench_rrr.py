@@ -1,10 +1,9 @@
 """The 3-RRR: assembly modes of many configurations, and the workspace on a grid of 1 mm and 1 deg."""
 
 import time
-import tracemalloc
 
 import numpy as np
-from timing import shown
+from timing import peak_memory, shown
 
 from lynx_common import rrr
 
@@ -32,11 +31,7 @@ def test_a_grid_of_601_by_601_by_61_at_most_1_5_seconds(benchmark, tables):
 
 
 def test_a_grid_of_601_by_601_by_61_at_most_100_mb():
-    grid()
-    tracemalloc.start()
-    grid()
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
+    peak = peak_memory(grid)
     print(f"\npeak memory of the grid: {peak / 1e6:.1f} MB")
     assert peak <= 100e6
 

@@ -1,10 +1,9 @@
 """The sweep at 1 deg with its voxels, too large for memory as a whole, against the one at 10 deg pose by pose."""
 
 import time
-import tracemalloc
 
 import numpy as np
-from timing import OURS, shown, side_by_side
+from timing import OURS, peak_memory, shown, side_by_side
 
 from lynx_common import arm, workspace
 
@@ -26,11 +25,7 @@ def test_the_sweep_at_1_degree_at_most_1_second(benchmark, tables):
 
 
 def test_the_sweep_at_1_degree_at_most_200_mb():
-    sweep_and_occupancy()
-    tracemalloc.start()
-    sweep_and_occupancy()
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
+    peak = peak_memory(sweep_and_occupancy)
     print(f"\npeak memory of the sweep at 1 deg and its voxels: {peak / 1e6:.1f} MB")
     assert peak <= 200e6
 

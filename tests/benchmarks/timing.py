@@ -1,5 +1,6 @@
 """Timing side by side, and the tables of what was found."""
 
+import tracemalloc
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib.metadata import version
@@ -32,6 +33,17 @@ def side_by_side(calls: dict[str, Callable], rounds: int = 15, least: float = 0.
         for name, call in calls.items():
             times[name][i] = _seconds(call, often[name])
     return times
+
+
+def peak_memory(call: Callable) -> int:
+    """Bytes that one call takes at most, what it returns included."""
+    call()  # compiled, cached
+    tracemalloc.start()
+    result = call()
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    del result
+    return peak
 
 
 def _seconds(call: Callable, times: int) -> float:

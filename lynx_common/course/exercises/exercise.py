@@ -55,7 +55,7 @@ def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
     def read(answer: object) -> np.ndarray:
         try:
             value = np.array(answer, dtype=complex)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise UnreadableAnswerError(
                 "numbers are expected; no symbols, words or dots may be left in."
             ) from None
@@ -78,7 +78,7 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
             with warnings.catch_warnings(action="error"):  # SymPy 1.14 only warns of what is no expression
                 value = sp.Matrix(answer)
             readable = not any(e.is_Matrix or e.has(sp.I) or e.is_finite is False for e in value)
-        except (TypeError, ValueError, DeprecationWarning):
+        except (TypeError, ValueError, NotImplementedError, DeprecationWarning):
             readable = False
         if not readable:
             raise UnreadableAnswerError(f"a list of {size} real expressions is expected; one entry is none.")

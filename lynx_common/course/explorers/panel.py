@@ -13,6 +13,7 @@ from PIL import Image
 
 
 def slider(name: str, limits: np.ndarray, value: float, step: float = 1) -> widgets.FloatSlider:
+    """A slider as all explorers have it; with a step below 1 it shows two decimals."""
     low, high = limits
     digits = 0 if step >= 1 else 2
     control = widgets.FloatSlider(
@@ -29,6 +30,7 @@ def beside(controls: list[widgets.Widget], image: widgets.Image) -> widgets.Widg
 
 
 def picture_frame() -> widgets.Image:
+    """Where an explorer shows its picture."""
     return widgets.Image(layout=widgets.Layout(width="680px", height="340px"))
 
 

@@ -14,17 +14,22 @@ def real(x: np.ndarray, name: str, *shape: int | None) -> np.ndarray:
     SymPy's numbers are read too. Complex ones are refused, and so are words.
     """
     x = np.asarray(x)
-    if np.iscomplexobj(x):
-        raise InputError(f"Real numbers are expected for {name}; complex ones were given.")
-    try:
-        numbers = x.astype(float, copy=False, casting="unsafe" if x.dtype == object else "same_kind")
-    except (TypeError, ValueError):
-        raise InputError(f"Real numbers are expected for {name}; {x.tolist()!r} was given.") from None
+    if x.dtype != float:
+        x = _as_float(x, name)
     tail = x.shape[x.ndim - len(shape) :] if x.ndim >= len(shape) else ()
     if len(tail) != len(shape) or any(want not in (None, have) for have, want in zip(tail, shape, strict=True)):
         wanted = ", ".join("n" if want is None else str(want) for want in shape)
         raise InputError(f"The last axes of {name} must be ({wanted}); the shape given is {x.shape}.")
-    return numbers
+    return x
+
+
+def _as_float(x: np.ndarray, name: str) -> np.ndarray:
+    if np.iscomplexobj(x):
+        raise InputError(f"Real numbers are expected for {name}; complex ones were given.")
+    try:
+        return x.astype(float, casting="unsafe" if x.dtype == object else "same_kind")
+    except (TypeError, ValueError):
+        raise InputError(f"Real numbers are expected for {name}; {x.tolist()!r} was given.") from None
 
 
 def limits(x: np.ndarray, joints: int) -> np.ndarray:
@@ -33,9 +38,10 @@ def limits(x: np.ndarray, joints: int) -> np.ndarray:
     if x.shape != (joints, 2) or not np.isfinite(x).all():
         shape = f"a ({joints}, 2) array of finite angles: lower and upper, joints 1 to {joints}"
         raise InputError(f"Limits are expected as {shape}; {x.tolist()} was given.")
-    for joint, (lower, upper) in enumerate(x, start=1):
-        if lower > upper:
-            raise InputError(f"The limits of joint {joint} are reversed: {lower:.4f} is above {upper:.4f} rad.")
+    if (x[:, 0] > x[:, 1]).any():
+        joint = int((x[:, 0] > x[:, 1]).argmax())
+        lower, upper = x[joint]
+        raise InputError(f"The limits of joint {joint + 1} are reversed: {lower:.4f} is above {upper:.4f} rad.")
     return x
 
 

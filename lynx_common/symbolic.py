@@ -103,6 +103,7 @@ def _flat(x: np.ndarray, batch: tuple[int, ...], size: int) -> np.ndarray:
     return np.broadcast_to(x, (*batch, x.shape[-1])).reshape(size, x.shape[-1])
 
 
+@cache
 def _named(symbols: tuple[sp.Symbol, ...]) -> str:
     return f"({', '.join(map(str, symbols))})" if len(symbols) > 1 else str(symbols[0])
 

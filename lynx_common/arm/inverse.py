@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
+from .. import reading
 from ..symbolic import CHUNK, TASK, WRIST, P, numeric, real
 from .geometry import LYNX, Geometry
 
@@ -69,7 +70,7 @@ def inverse_kinematics(
     Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits
     are not applied (``within_limits``).
     """
-    position, pitch, roll = real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll")
+    position, pitch, roll = real(position, XYZ), reading.real(pitch, "pitch"), reading.real(roll, "roll")
     batch = np.broadcast_shapes(position.shape[:-1], pitch.shape, roll.shape)
     target = [np.broadcast_to(position, (*batch, 3)).reshape(-1, 3)]
     target += [np.broadcast_to(x, batch).ravel() for x in (pitch, roll)]
@@ -86,11 +87,6 @@ def front(position: np.ndarray, pitch: np.ndarray, roll: np.ndarray) -> np.ndarr
     r = np.sqrt(x * x + y * y)
     azimuth = np.where(r == 0, 0.0, np.arctan2(y, x))
     return np.stack(np.broadcast_arrays(azimuth, r, z, pitch, roll), axis=-1)
-
-
-def angle(value: np.ndarray, name: str) -> np.ndarray:
-    """Angles of any shape as float64; InputError, with their name, where they are not real."""
-    return real(np.asarray(value)[..., None], sp.symbols([name]))[..., 0]
 
 
 def _on_reachable(rows: Callable, task: np.ndarray, geometry: Geometry) -> np.ndarray:

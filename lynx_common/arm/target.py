@@ -2,17 +2,17 @@
 
 import numpy as np
 
+from .. import reading
 from ..errors import InputError, JointLimitError, NotAchievableError, OutOfReachError
-from ..reading import POSE_TOLERANCE, pose
 from ..symbolic import real
 from .geometry import JOINT_LIMITS, LYNX, Geometry, into_limits
-from .inverse import BRANCHES, XYZ, angle, front, inverse_kinematics, reach, wrist
+from .inverse import BRANCHES, XYZ, front, inverse_kinematics, reach, wrist
 
 # A position this near to the base axis, as a share of the arm's length, has no azimuth of its own.
 AXIS_TOLERANCE = 1e-9
 
 # How far a tool axis may be from the arm's plane, in radians: as far as a matrix may be from a rotation.
-IN_PLANE = POSE_TOLERANCE
+IN_PLANE = reading.POSE_TOLERANCE
 
 
 def solve(
@@ -25,7 +25,7 @@ def solve(
     """
     if isinstance(branch, bool) or branch not in range(len(BRANCHES)):
         raise InputError(f"The branch is a number from 0 to {len(BRANCHES) - 1}; {branch!r} was given.")
-    task = front(real(position, XYZ), angle(pitch, "pitch"), angle(roll, "roll"))
+    task = front(real(position, XYZ), reading.real(pitch, "pitch"), reading.real(roll, "roll"))
     if task.shape != (5,) or not np.isfinite(task).all():
         raise InputError("One target is expected: three coordinates, a pitch and a roll, all finite.")
     q = inverse_kinematics(position, pitch, roll, geometry)[int(branch)]
@@ -45,7 +45,7 @@ def task_of_pose(T: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
     the azimuth is the tool's own, and 0 if the tool stands upright there. Raises InputError where ``T`` is not
     a pose. Whether the links reach is not asked here.
     """
-    T = pose(T)
+    T = reading.pose(T)
     if T.shape != (4, 4) or np.isnan(T).any():
         raise InputError("A pose is expected: a 4 x 4 matrix of real, finite numbers.")
     (x, y, axis), p = T[:3, :3].T, T[:3, 3]

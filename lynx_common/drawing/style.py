@@ -7,7 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
 
-# The palette of Okabe and Ito, which readers with any common colour blindness can tell apart.
+# The palette of Okabe and Ito, whose colours readers with any common colour blindness can tell apart, and two
+# greys, which line style or marker has to tell apart from them.
 COLOURS = {
     "link": "#4d4d4d",
     "x": "#d55e00",
@@ -48,8 +49,8 @@ def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, A
 def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60, zoom: float = 1) -> Axes3D:
     """A 3-D view with equal scales that holds ``points``, (..., 3) metres, and the floor below them.
 
-    ``azimuth`` is the direction from which it is seen, in degrees from x; with ``zoom`` above 1 the drawing fills
-    more of its place.
+    ``azimuth`` is the direction from which it is seen, in degrees from x. A ``zoom`` above 1 fills more of the
+    axes; the labels beside them then need room.
     """
     points = points.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)

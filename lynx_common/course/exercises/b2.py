@@ -116,7 +116,8 @@ EXERCISES = {
         ),
         explanation="The gripper is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction "
         "$\\theta_1 + \\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ "
-        "runs on through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from -53.1° to -126.9°.",
+        "runs on through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from "
+        "-53.1° to -126.9°.",
         code="half = np.arccos(-0.3 / (2 * 0.25))\nanswer_3 = [-half, 2 * half]",
     ),
 }

@@ -210,7 +210,7 @@ WRONG = {
         ([-0.9273, 1.8546], "where it starts"),
         ([4.4286, -2.2143], "theta_1 comes first"),
         ([0.9273, -1.8546], "the other elbow"),
-        ([0, 0], "this puts the tool at (0.500, 0.000) m"),
+        ([0, 0], "this puts the gripper at (0.500, 0.000) m"),
     ],
     "B3.1": [
         (..., "not attempted"),

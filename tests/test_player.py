@@ -53,6 +53,7 @@ def test_two_calls_give_the_same_page_and_minus_zero_is_zero():
 def test_it_is_small_and_asks_for_nothing_from_elsewhere():
     shown = player(POINTS)
     assert len(shown.data) < 40_000
+    assert len(player(np.tile(POINTS, (7, 1, 1))).data) < 1_000_000  # 210 frames, as many as a notebook has
     assert not re.search(r"https?:|src=|import|fetch|random|Date", page(shown))
 
 

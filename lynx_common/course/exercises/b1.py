@@ -1,4 +1,4 @@
-"""Exercises of B1, task planning: slopes that are possible, the roll over a belt, another machine."""
+"""Exercises of B1, task planning: pitches that are possible, the roll over a belt, another machine."""
 
 import numpy as np
 

@@ -22,7 +22,7 @@ SPEED_ONLY = np.array([0, 1, 1, 1, 1, 1])
 AT_REST = np.array([0, 0, 0, 1, 1, 1])
 LIKE_THE_PATH = np.array([1, 1, 1, 1, 1, 1])
 
-# B2.3: two level links of 0.25 m; the tool runs from (0.3, 0) to (-0.3, 0), over the column.
+# B2.3: two level links of 0.25 m; the gripper runs from (0.3, 0) to (-0.3, 0), over the column.
 LINK, START = 0.25, 0.3
 HALF = np.arccos(-START / (2 * LINK))
 END = np.array([-HALF, 2 * HALF])
@@ -95,7 +95,7 @@ EXERCISES = {
             (lambda x: _near(np.deg2rad(x), END), "this is right in degrees; radians are expected."),
             (
                 lambda x: _near(x, JUMPED) or _near(x, JUMPED - [2 * np.pi, 0]),
-                "the tool is there, but joint 1 has jumped by half a turn over the column.",
+                "the gripper is there, but joint 1 has jumped by half a turn over the column.",
             ),
             (
                 lambda x: np.abs(x - END).max() > 1 and _near(np.exp(1j * x), np.exp(1j * END)),
@@ -106,17 +106,18 @@ EXERCISES = {
             (lambda x: _near(x, -AT_START), "this is the other elbow, at the start."),
         ),
         describe=lambda x: (
-            f"this puts the tool at ({LINK * (np.cos(x[0]) + np.cos(x.sum())):.3f}, "
+            f"this puts the gripper at ({LINK * (np.cos(x[0]) + np.cos(x.sum())):.3f}, "
             f"{LINK * (np.sin(x[0]) + np.sin(x.sum())):.3f}) m, or does not go there without a jump."
         ),
         hints=(
-            "With equal links the tool is 2 L cos(theta_2 / 2) from the column, in the direction "
+            "With equal links the gripper is 2 L cos(theta_2 / 2) from the column, in the direction "
             "theta_1 + theta_2 / 2. Let that distance have a sign.",
             "The direction stays 0 all the way. At the end the distance is -0.3 m: which theta_2, beyond 180 deg?",
         ),
-        explanation="The tool is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction $\\theta_1 + "
-        "\\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ runs on "
-        "through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from -53.1° to -126.9°.",
+        explanation="The gripper is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction "
+        "$\\theta_1 + \\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ "
+        "runs on through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from "
+        "-53.1° to -126.9°.",
         code="half = np.arccos(-0.3 / (2 * 0.25))\nanswer_3 = [-half, 2 * half]",
     ),
 }

@@ -5,6 +5,7 @@ import pytest
 from PIL import Image
 
 from lynx_common.course import figures
+from lynx_common.errors import InputError
 
 
 def line():
@@ -33,6 +34,13 @@ def test_a_figure_is_shown_once_with_its_words_and_closed(fig, shown, monkeypatc
     assert picture.data.startswith(b"\x89PNG")
     assert picture.alt == caption.data == "**Fig. 1.2.** A line."
     assert not plt.get_fignums()
+
+
+@pytest.mark.parametrize("number", ["The arm.", "", "12", "1.2 ", "1.2aa"])
+def test_a_figure_of_the_report_has_a_number(number, fig):
+    for call in (lambda: figures.publish(fig, number, "A line."), lambda: figures.movie(fig, print, 1, number)):
+        with pytest.raises(InputError, match="A figure has a number"):
+            call()
 
 
 def test_files_are_written_where_make_figures_asks_and_are_the_same_each_time(fig, shown, monkeypatch, tmp_path):

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 from lynx_common import arm, dh
-from lynx_common.course import exercises, figures, report
+from lynx_common.course import execute, exercises, figures, report
 from lynx_common.course.report.item import Item, differs
 from lynx_common.errors import InputError, LedgerError, UnknownNameError
 
@@ -98,6 +98,15 @@ def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
     assert len(cells) == 1
     printed = "".join(output.get("text", "") for output in cells[0].outputs)
     assert f"{key} {item.verdict}\n" in printed
+
+
+PRINTOUTS = {"Fig. 1.5", "Fig. 1.6", "Fig. 2.2"}  # of a console; tables here
+
+
+@pytest.mark.parametrize("key", [key for key in report.LEDGER if key.startswith("Fig.")])
+def test_each_figure_is_published_by_its_notebook_or_is_a_table(key):
+    notebook = NOTEBOOKS / f"{report.LEDGER[key].notebook}.ipynb"
+    assert any(execute.is_called(n, key[5:]) for n in execute.published(notebook)) == (key not in PRINTOUTS)
 
 
 @pytest.mark.parametrize("key", report.LEDGER)

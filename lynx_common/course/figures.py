@@ -1,6 +1,7 @@
 """Showing a figure in a notebook, with its caption in words, and saving the report's figures as files."""
 
 import os
+import re
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
@@ -12,12 +13,15 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image as Picture
 
+from ..errors import InputError
+
 
 def publish(fig: Figure, number: str, caption: str = "") -> None:
     """Show ``fig`` as figure ``number`` of the report, e.g. "1.2", and save it where ``make figures`` asks for it.
 
     ``make figures`` names the folder in LYNX_FIGURES and may name one figure in LYNX_FIGURE. The files are
-    fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared.
+    fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared. Raises
+    InputError where ``number`` is no number of a figure.
     """
     if stem := _stem(number):
         fig.savefig(f"{stem}.pdf", dpi=300, metadata={"CreationDate": None})
@@ -49,6 +53,8 @@ def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, se
 
 def _stem(number: str) -> Path | None:
     """Where files of figure ``number`` belong, without a suffix; None where they are not asked for."""
+    if not re.fullmatch(r"\d\.\d+[a-h]?", number):
+        raise InputError(f"A figure has a number, such as 1.2 or 1.3a; {number!r} was given.")
     folder = os.environ.get("LYNX_FIGURES")
     wanted = folder and is_called(number, os.environ.get("LYNX_FIGURE", number))
     return Path(folder) / f"fig-{number}" if wanted else None

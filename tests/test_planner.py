@@ -58,7 +58,7 @@ def assert_free(free, path, limits):
 
 
 @pytest.mark.parametrize("free", [outside_disc, gap])
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, 1])
 def test_a_path_is_free_and_costs_its_travel(free, seed):
     found = planner.plan(free, SQUARE, LEFT, RIGHT, 1500, seed)
     np.testing.assert_array_equal(found.path[[0, -1]], [LEFT, RIGHT])
@@ -115,7 +115,7 @@ def test_the_cost_never_rises_and_is_infinite_until_there_is_a_path():
     assert history[-1] < history[first]
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(3))
 def test_the_cost_tends_to_the_shortest_way_and_is_never_below_it(seed):
     """The pieces are chords: between two postures that are checked they may dip into the disc a little."""
     shortest = around_the_disc()
@@ -370,7 +370,7 @@ def test_a_finer_resolution_finds_a_thin_wall():
 
 
 def test_a_shortcut_keeps_the_ends_is_free_and_never_longer():
-    for seed in range(5):
+    for seed in range(3):
         path = planner.plan(outside_disc, SQUARE, LEFT, RIGHT, 200, seed).path
         before = path.copy()
         shorter = planner.shortcut(outside_disc, path, seed=seed)

@@ -42,6 +42,27 @@ def arm_top_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **s
     return _draw(ax, links[:, :2], fork[:, :2], style)
 
 
+def arm_views(
+    space: Axes3D, plane: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style
+) -> tuple[list[Line2D], list[Line2D]]:
+    """The same, in space and in its own plane at once; returns the lines of both, for ``move``."""
+    return arm_3d(space, q, geometry, **style), arm_side_view(plane, q, geometry, **style)
+
+
+def target(
+    ax: Axes, at: np.ndarray, pitch: float | None = None, geometry: arm.Geometry = arm.LYNX, **style
+) -> Line2D:
+    """A star where the gripper has to be: ``at`` is (x, y, z), or (r, z) in the plane of the arm, in metres.
+
+    With a ``pitch`` (radians; in the plane only) a line leads back to where the wrist has to be.
+    """
+    points = np.array([at], float)
+    if pitch is not None:
+        points = np.vstack([points, points - geometry.L_3 * np.array([np.cos(pitch), np.sin(pitch)])])
+    star = {"color": COLOURS["target"], "markersize": 16, "markevery": [0], "zorder": 5}
+    return ax.plot(*points.T, "*-", **star | style)[0]
+
+
 def frames_3d(ax: Axes3D, T: np.ndarray, length: float = 0.06) -> list[Line2D]:
     """The axes of frames ``T``, (n, 4, 4): x, y and z in their colours; returns the three lines, for ``move``."""
     return [

@@ -101,6 +101,24 @@ def test_labels_stand_at_the_joints_of_the_picture(views):
     np.testing.assert_allclose([text.xy for text in plane.texts], in_plane(arm.joint_positions(Q)).T)
 
 
+def test_a_label_can_be_put_elsewhere(views):
+    drawing.label_joints(views[1], Q, shoulder=(-12, 4))
+    by_name = {text.get_text(): text for text in views[1].texts}
+    assert [by_name["shoulder"].xyann, by_name["shoulder"].get_horizontalalignment()] == [(-12, 4), "right"]
+    assert by_name["wrist"].xyann == (0, 12)
+
+
+def test_the_fork_is_thinner_than_the_links(views):
+    for width in (4, 3):
+        links, fork = drawing.arm_side_view(views[1], Q, linewidth=width)
+        assert [links.get_linewidth(), fork.get_linewidth()] == [width, 0.625 * width]
+
+
+def test_a_zoom_makes_the_box_in_space_larger(views):
+    once, zoomed = (drawing.space_3d(views[0], arm.joint_positions(Q), zoom=z).get_box_aspect() for z in (1, 1.2))
+    np.testing.assert_allclose(zoomed, 1.2 * np.array(once))
+
+
 def test_a_box_in_space_has_equal_scales_and_holds_the_points_and_the_floor(views, rng):
     points = rng.uniform([-0.1, -0.2, 0.3], [0.3, 0.4, 0.5], (2, 50, 3))
     ax = drawing.space_3d(views[0], points)

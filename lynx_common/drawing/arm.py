@@ -95,14 +95,19 @@ def move(
         flat.set_data(*_in_plane(points, q).T)
 
 
-def label_joints(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> None:
-    """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set."""
+def label_joints(
+    ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **offsets: tuple[float, float]
+) -> None:
+    """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set.
+
+    Where a name would cover something, put it elsewhere: ``shoulder=(-12, 4)``, in points from the joint.
+    """
     points = arm.joint_positions(q, geometry)
     if isinstance(ax, Axes3D):
         places = np.transpose(proj_transform(*points.T, ax.get_proj()))[:, :2]
     else:
         places = _in_plane(points, q)
-    for (name, offset), place in zip(JOINT_LABELS.items(), places, strict=True):
+    for (name, offset), place in zip((JOINT_LABELS | offsets).items(), places, strict=True):
         side = {-1: "right", 0: "center", 1: "left"}[np.sign(offset[0])]
         label = ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)
         label.set_path_effects([withStroke(linewidth=3, foreground="white")])
@@ -126,11 +131,9 @@ def _polylines(q: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
 
 
 def _draw(ax: Axes, links: np.ndarray, fork: np.ndarray, style: dict) -> list[Line2D]:
-    style = {"color": COLOURS["link"]} | style
-    return [
-        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
-        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
-    ]
+    style = {"color": COLOURS["link"], "linewidth": 4, "markersize": 7} | style
+    of_fork = style | {"linewidth": 0.625 * style["linewidth"], "label": None}
+    return [*ax.plot(*links.T, "o-", **style), *ax.plot(*fork.T, "-", **of_fork)]
 
 
 def _axes_polylines(T: np.ndarray, length: float) -> list[np.ndarray]:

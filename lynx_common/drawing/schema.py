@@ -37,7 +37,7 @@ def dh_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
         ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
     for i in (0, 1, 2, 3, 5):
         _triad(ax, T[i], 0.05 * size, i)
-    sides = (0.07, 0.075, 0.06, -0.055)  # of the line between the joints, clear of the frames
+    sides = (0.07, 0.075, 0.085, -0.055)  # of the line between the joints, clear of the frames
     for name, start, end, side in zip(("d_1", "L_1", "L_2", "L_3"), points[:-1], points[1:], sides, strict=True):
         _dimension(ax, start @ VIEW, end @ VIEW, side * size, f"${name}$")
     return _bare(ax)

@@ -7,7 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
 
-# The palette of Okabe and Ito, which readers with any common colour blindness can tell apart.
+# The palette of Okabe and Ito, whose colours readers with any common colour blindness can tell apart, and two
+# greys, which line style or marker has to tell apart from them.
 COLOURS = {
     "link": "#4d4d4d",
     "x": "#d55e00",
@@ -45,10 +46,11 @@ def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, A
     return fig, fig.add_subplot(1, 2, 1, projection="3d"), fig.add_subplot(1, 2, 2)
 
 
-def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60) -> Axes3D:
+def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60, zoom: float = 1) -> Axes3D:
     """A 3-D view with equal scales that holds ``points``, (..., 3) metres, and the floor below them.
 
-    ``azimuth`` is the direction from which it is seen, in degrees from x.
+    ``azimuth`` is the direction from which it is seen, in degrees from x. A ``zoom`` above 1 fills more of the
+    axes; the labels beside them then need room.
     """
     points = points.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)
@@ -56,7 +58,7 @@ def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60) -> Axes3D:
     low, high = np.minimum(low - pad, [np.inf, np.inf, 0]), high + pad
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
-    ax.set_box_aspect(high - low)
+    ax.set_box_aspect(high - low, zoom=zoom)
     ax.view_init(elev=22, azim=azimuth)
     ax.locator_params(nbins=4)
     return ax

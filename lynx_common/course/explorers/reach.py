@@ -58,9 +58,9 @@ def _reach_view(geometry: arm.Geometry) -> Callable[[np.ndarray, float, np.ndarr
             if np.isfinite(posture).all():
                 drawing.move(*lines, posture, geometry)
         azimuth = np.arctan2(position[1], position[0])
-        slope = np.array([np.cos(pitch), np.sin(pitch)])
+        axis = np.array([np.cos(pitch), np.sin(pitch)])
         tip = np.array([np.hypot(*position[:2]), position[2]])
-        r, z = np.transpose([tip, tip - L_3 * slope])  # from the target back to where the wrist has to be
+        r, z = np.transpose([tip, tip - L_3 * axis])  # from the target back to where the wrist has to be
         targets[0][0].set_data_3d(r * np.cos(azimuth), r * np.sin(azimuth), z)
         targets[1][0].set_data(r, z)
         return redraw()

@@ -110,7 +110,8 @@ def test_a_label_can_be_put_elsewhere(views):
 
 def test_the_fork_is_thinner_than_the_links(views):
     for width in (4, 3):
-        links, fork = drawing.arm_side_view(views[1], Q, linewidth=width)
+        links, fork = drawing.arm_side_view(views[1], Q, linewidth=width, label="once")
+        assert [links.get_label(), fork.get_label().startswith("_")] == ["once", True]  # in a legend
         assert [links.get_linewidth(), fork.get_linewidth()] == [width, 0.625 * width]
 
 
@@ -154,6 +155,11 @@ def test_the_triangle_is_named_and_its_arcs_are_the_joints_own_angles():
     np.testing.assert_allclose([second.theta1, second.theta2, *second.center], [angles[1], angles[0], *elbow])
     legs, drawn_on = ax.lines[3:5]
     np.testing.assert_allclose(legs.get_data(), np.transpose([shoulder, [wrist[0], shoulder[1]], wrist]))
+    np.testing.assert_allclose(ax.lines[2].get_data(), np.transpose([shoulder, wrist]))
+    at = {text.get_text(): text.xy for text in ax.texts}
+    np.testing.assert_allclose([at["$\\theta_2$"], at["$\\theta_3$"]], [shoulder, elbow])
+    np.testing.assert_allclose([at["$L_1$"], at["$L_2$"]], [(shoulder + elbow) / 2, (elbow + wrist) / 2])
+    np.testing.assert_allclose([at["$h$"][0], at["$r_{wrist}$"][1]], [wrist[0], shoulder[1]])
     assert np.isclose(np.cross(np.append(elbow - shoulder, 0), np.append(np.diff(drawn_on.get_data()), 0))[2], 0)
     plt.close(fig)
 
@@ -200,3 +206,7 @@ def test_each_square_stands_where_its_centre_is(views):
     np.testing.assert_allclose(y, [-0.2, 0.3])
     np.testing.assert_array_equal(image.get_array()[0], values[:, 0])  # the lowest row
     assert [image.origin, image.get_clim()] == ["lower", (0, 9)]
+    few, many = image.cmap([0.0, 1.0])[:, :3].sum(axis=1)
+    assert many < few  # darker
+    views[1].get_figure().draw_without_rendering()
+    assert not any(line.get_visible() for line in views[1].get_xgridlines())

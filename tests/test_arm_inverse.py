@@ -47,7 +47,7 @@ def test_task_coordinates_of_joint_angles_are_the_task_itself(geometry, rng):
 
 def test_joint_angles_contain_where_they_came_from_on_the_base_axis_too(rng):
     q = rng.uniform(-np.pi, np.pi, (10_000, 5))
-    q[:5000, 1:4] = np.pi / 2, 0, np.pi / 2  # upright: gripper, tool and wrist on the base axis
+    q[:5000, 1:4] = np.pi / 2, 0, np.pi / 2  # upright: gripper, its axis and wrist on the base axis
     q[:2500, 1] += rng.uniform(-1, 1, 2500)
     q[:2500, 3] -= q[:2500, 1] - np.pi / 2
     rows = arm.joint_angles(arm.task_coordinates(q))
@@ -240,7 +240,7 @@ def test_the_report_s_target_is_taken_with_its_orientation():
     np.testing.assert_allclose(arm.forward_kinematics(q), [T, T], atol=1e-12)
 
 
-def test_on_the_base_axis_the_azimuth_is_the_tool_s_own_and_zero_for_an_upright_tool():
+def test_on_the_base_axis_the_azimuth_is_the_gripper_s_own_and_zero_for_an_upright_one():
     for q in ([0.7, np.pi / 2, 0.0, 1.0, 0.3], [0.7, np.pi / 2, 0.0, np.pi / 2, 0.3]):
         shifted = arm.forward_kinematics(q)
         shifted[:2, 3] = 0
@@ -252,11 +252,11 @@ def test_on_the_base_axis_the_azimuth_is_the_tool_s_own_and_zero_for_an_upright_
 
 @pytest.mark.parametrize("leaves", [0.3, -0.02, 1e-4])
 def test_a_pose_that_five_joints_cannot_take_says_by_which_angle(leaves):
-    """The tool turned out of the arm's plane about the vertical direction in which it is seen."""
+    """The gripper turned out of the arm's plane about the vertical direction in which it is seen."""
     T = arm.forward_kinematics([0.4, 0.8, -0.5, 1.2, 0.4])
     outward = np.array([np.cos(0.4), np.sin(0.4), 0])
     left = np.array([-np.sin(0.4), np.cos(0.4), 0])
-    lift = np.cross(left, T[:3, 2])  # at right angles to the tool axis, in the arm's plane
+    lift = np.cross(left, T[:3, 2])  # at right angles to the gripper's axis, in the arm's plane
     c, s = np.cos(leaves), np.sin(leaves)
     turn = np.array([T[:3, 2], left, lift]).T @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
     T[:3, :3] = turn @ np.array([T[:3, 2], left, lift]) @ T[:3, :3]

@@ -71,6 +71,25 @@ def test_moving_lines_is_drawing_them_anew(views):
         np.testing.assert_array_equal(a.get_data(), b.get_data())
 
 
+def test_both_views_are_drawn_at_once(views):
+    lines, flat = drawing.arm_views(*views, Q, color="red")
+    np.testing.assert_allclose(np.transpose(lines[0].get_data_3d()), arm.joint_positions(Q))
+    np.testing.assert_allclose(flat[0].get_data(), in_plane(arm.joint_positions(Q)))
+    assert {line.get_color() for line in (*lines, *flat)} == {"red"}
+
+
+def test_a_target_is_a_star_with_a_line_back_to_the_wrist(views):
+    space, plane = views
+    star = drawing.target(space, [0.1, 0.2, 0.3])
+    np.testing.assert_allclose(np.ravel(star.get_data_3d()), [0.1, 0.2, 0.3])
+    pitch = arm.task_coordinates(Q)[3]
+    _, _, _, wrist, gripper = in_plane(arm.joint_positions(Q)).T
+    line = drawing.target(plane, gripper, pitch, markersize=9)
+    np.testing.assert_allclose(np.transpose(line.get_data()), [gripper, wrist])
+    assert [line.get_marker(), line.get_markevery(), line.get_markersize()] == ["*", [0], 9]
+    np.testing.assert_allclose(np.ravel(drawing.target(plane, gripper).get_data()), gripper)
+
+
 def test_labels_stand_at_the_joints_of_the_picture(views):
     space, plane = views
     drawing.space_3d(space, arm.joint_positions(Q))
@@ -80,6 +99,25 @@ def test_labels_stand_at_the_joints_of_the_picture(views):
     for ax in views:
         assert [text.get_text() for text in ax.texts] == ["base", "shoulder", "elbow", "wrist", "gripper"]
     np.testing.assert_allclose([text.xy for text in plane.texts], in_plane(arm.joint_positions(Q)).T)
+
+
+def test_a_label_can_be_put_elsewhere(views):
+    drawing.label_joints(views[1], Q, shoulder=(-12, 4))
+    by_name = {text.get_text(): text for text in views[1].texts}
+    assert [by_name["shoulder"].xyann, by_name["shoulder"].get_horizontalalignment()] == [(-12, 4), "right"]
+    assert by_name["wrist"].xyann == (0, 12)
+
+
+def test_the_fork_is_thinner_than_the_links(views):
+    for width in (4, 3):
+        links, fork = drawing.arm_side_view(views[1], Q, linewidth=width, label="once")
+        assert [links.get_label(), fork.get_label().startswith("_")] == ["once", True]  # in a legend
+        assert [links.get_linewidth(), fork.get_linewidth()] == [width, 0.625 * width]
+
+
+def test_a_zoom_makes_the_box_in_space_larger(views):
+    once, zoomed = (drawing.space_3d(views[0], arm.joint_positions(Q), zoom=z).get_box_aspect() for z in (1, 1.2))
+    np.testing.assert_allclose(zoomed, 1.2 * np.array(once))
 
 
 def test_a_box_in_space_has_equal_scales_and_holds_the_points_and_the_floor(views, rng):
@@ -105,6 +143,27 @@ def test_the_schema_names_every_joint_angle_length_and_axis():
     plt.close(fig)
 
 
+def test_the_triangle_is_named_and_its_arcs_are_the_joints_own_angles():
+    fig, ax = plt.subplots()
+    drawing.triangle_schema(ax)
+    names = [f"\\theta_{i}" for i in (2, 3)] + ["L_1", "L_2", "h", "r_{wrist}"]
+    assert {text.get_text() for text in ax.texts} == {f"${name}$" for name in names}
+    _, shoulder, elbow, wrist, _ = np.transpose(ax.lines[0].get_data())
+    angles = [np.rad2deg(np.arctan2(*(end - start)[::-1])) for start, end in ((shoulder, elbow), (elbow, wrist))]
+    first, second = ax.patches
+    np.testing.assert_allclose([first.theta1, first.theta2, *first.center], [0, angles[0], *shoulder])
+    np.testing.assert_allclose([second.theta1, second.theta2, *second.center], [angles[1], angles[0], *elbow])
+    legs, drawn_on = ax.lines[3:5]
+    np.testing.assert_allclose(legs.get_data(), np.transpose([shoulder, [wrist[0], shoulder[1]], wrist]))
+    np.testing.assert_allclose(ax.lines[2].get_data(), np.transpose([shoulder, wrist]))
+    at = {text.get_text(): text.xy for text in ax.texts}
+    np.testing.assert_allclose([at["$\\theta_2$"], at["$\\theta_3$"]], [shoulder, elbow])
+    np.testing.assert_allclose([at["$L_1$"], at["$L_2$"]], [(shoulder + elbow) / 2, (elbow + wrist) / 2])
+    np.testing.assert_allclose([at["$h$"][0], at["$r_{wrist}$"][1]], [wrist[0], shoulder[1]])
+    assert np.isclose(np.cross(np.append(elbow - shoulder, 0), np.append(np.diff(drawn_on.get_data()), 0))[2], 0)
+    plt.close(fig)
+
+
 def test_a_set_style_is_what_figures_get():
     with plt.rc_context():
         drawing.use_style()
@@ -126,3 +185,28 @@ def test_a_region_is_filled_within_its_boundary_and_not_in_its_holes(views):
 
 def test_an_empty_region_draws_nothing():
     assert drawing.region_path(annulus(-2, 0, 0, 1) & annulus(2, 0, 0, 1)).vertices.tolist() == [[0, 0]]
+
+
+def test_a_cloud_has_a_dot_at_each_point_in_the_plane_and_in_space(views, rng):
+    space, plane = views
+    points = rng.uniform(0, 1, (20, 3))
+    np.testing.assert_array_equal(np.transpose(drawing.cloud(space, points).get_data_3d()), points)
+    dots = drawing.cloud(plane, points[:, :2], 3, color="red")
+    np.testing.assert_array_equal(np.transpose(dots.get_data()), points[:, :2])
+    assert [dots.get_marker(), dots.get_linestyle(), dots.get_markersize()] == [".", "None", 3]
+    assert [dots.get_color(), dots.get_rasterized()] == ["red", True]
+
+
+def test_each_square_stands_where_its_centre_is(views):
+    values = np.arange(6).reshape(3, 2)
+    image = drawing.squares(views[1], values, [0.1, -0.2], 0.5, vmax=9)
+    left, right, bottom, top = image.get_extent()
+    x, y = np.arange(left, right, 0.5) + 0.25, np.arange(bottom, top, 0.5) + 0.25
+    np.testing.assert_allclose(x, [0.1, 0.6, 1.1])
+    np.testing.assert_allclose(y, [-0.2, 0.3])
+    np.testing.assert_array_equal(image.get_array()[0], values[:, 0])  # the lowest row
+    assert [image.origin, image.get_clim()] == ["lower", (0, 9)]
+    few, many = image.cmap([0.0, 1.0])[:, :3].sum(axis=1)
+    assert many < few  # darker
+    views[1].get_figure().draw_without_rendering()
+    assert not any(line.get_visible() for line in views[1].get_xgridlines())

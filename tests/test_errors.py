@@ -18,7 +18,7 @@ OUTWARDS = np.deg2rad([90, 210, 330])  # motors of the 3-RRR
 
 
 def tilted() -> np.ndarray:
-    """A pose whose tool axis leaves the arm's plane by 30 deg."""
+    """A pose whose gripper's axis leaves the arm's plane by 30 deg."""
     pose = arm.forward_kinematics(np.zeros(5))
     return pose @ arm.link_frames(np.deg2rad([30, 0, 0, 0, 0]))[1]
 

@@ -386,7 +386,7 @@ WRONG = {
             [L_1 * c1 + L_2 * sp.cos(theta_2), L_1 * s1 + L_2 * sp.sin(theta_2), d_1 - d_3],
             "counted from the first",
         ),
-        ([L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + d_3], "lowers the tool"),
+        ([L_1 * c1 + L_2 * c12, L_1 * s1 + L_2 * s12, d_1 + d_3], "lowers the gripper"),
         (dh.chain(scara, dh.modified)[-1], "in the proximal way"),
         ([L_1 * s1 + L_2 * s12, L_1 * c1 + L_2 * c12, d_1 - d_3], "swapped"),
         (

@@ -11,7 +11,7 @@ from .inverse import BRANCHES, XYZ, front, inverse_kinematics, reach, wrist
 # A position this near to the base axis, as a share of the arm's length, has no azimuth of its own.
 AXIS_TOLERANCE = 1e-9
 
-# How far a tool axis may be from the arm's plane, in radians: as far as a matrix may be from a rotation.
+# How far the gripper's axis may be from the arm's plane, in radians: as far as a matrix may be from a rotation.
 IN_PLANE = reading.POSE_TOLERANCE
 
 
@@ -40,9 +40,9 @@ def solve(
 def task_of_pose(T: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
     """Task coordinates, (5,), of a pose ``T`` of the gripper, (4, 4), seen from the front (r >= 0).
 
-    Five joints take a pose only if its tool axis lies in a vertical plane through the base axis,
-    (p x a) . z = 0; otherwise NotAchievableError says by which angle it leaves the arm's plane. On the base axis
-    the azimuth is the tool's own, and 0 if the tool stands upright there. Raises InputError where ``T`` is not
+    Five joints take a pose only if the gripper's axis lies in a vertical plane through the base axis,
+    (p x n) . z = 0; otherwise NotAchievableError says by which angle it leaves the arm's plane. On the base axis
+    the azimuth is the gripper's own, and 0 if it stands upright there. Raises InputError where ``T`` is not
     a pose. Whether the links reach is not asked here.
     """
     T = reading.pose(T)

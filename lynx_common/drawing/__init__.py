@@ -3,10 +3,21 @@
 A function that draws computes nothing: it asks the robot's module where things are.
 """
 
-from .arm import arm_3d, arm_side_view, arm_top_view, frames_3d, frames_side_view, gripper, label_joints, move
-from .region import region_2d, region_path
+from .arm import (
+    arm_3d,
+    arm_side_view,
+    arm_top_view,
+    arm_views,
+    frames_3d,
+    frames_side_view,
+    gripper,
+    label_joints,
+    move,
+    target,
+)
+from .region import cloud, region_2d, region_path, squares
 from .rrr import label_rrr, move_rrr, rrr_2d
-from .schema import dh_schema, link_schema, wrist_schema
+from .schema import dh_schema, link_schema, triangle_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
 __all__ = [
@@ -14,6 +25,8 @@ __all__ = [
     "arm_3d",
     "arm_side_view",
     "arm_top_view",
+    "arm_views",
+    "cloud",
     "dh_schema",
     "frames_3d",
     "frames_side_view",
@@ -27,6 +40,9 @@ __all__ = [
     "region_path",
     "rrr_2d",
     "space_3d",
+    "squares",
+    "target",
+    "triangle_schema",
     "two_views",
     "use_style",
     "wrist_schema",

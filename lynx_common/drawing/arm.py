@@ -42,6 +42,27 @@ def arm_top_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **s
     return _draw(ax, links[:, :2], fork[:, :2], style)
 
 
+def arm_views(
+    space: Axes3D, plane: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style
+) -> tuple[list[Line2D], list[Line2D]]:
+    """The same, in space and in its own plane at once; returns the lines of both, for ``move``."""
+    return arm_3d(space, q, geometry, **style), arm_side_view(plane, q, geometry, **style)
+
+
+def target(
+    ax: Axes, at: np.ndarray, pitch: float | None = None, geometry: arm.Geometry = arm.LYNX, **style
+) -> Line2D:
+    """A star where the gripper has to be: ``at`` is (x, y, z), or (r, z) in the plane of the arm, in metres.
+
+    With a ``pitch`` (radians; in the plane only) a line leads back to where the wrist has to be.
+    """
+    points = np.array([at], float)
+    if pitch is not None:
+        points = np.vstack([points, points - geometry.L_3 * np.array([np.cos(pitch), np.sin(pitch)])])
+    star = {"color": COLOURS["target"], "markersize": 16, "markevery": [0], "zorder": 5}
+    return ax.plot(*points.T, "*-", **star | style)[0]
+
+
 def frames_3d(ax: Axes3D, T: np.ndarray, length: float = 0.06) -> list[Line2D]:
     """The axes of frames ``T``, (n, 4, 4): x, y and z in their colours; returns the three lines, for ``move``."""
     return [
@@ -74,14 +95,19 @@ def move(
         flat.set_data(*_in_plane(points, q).T)
 
 
-def label_joints(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> None:
-    """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set."""
+def label_joints(
+    ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **offsets: tuple[float, float]
+) -> None:
+    """Write the names of base, shoulder, elbow, wrist and gripper beside them; in 3-D, after the view is set.
+
+    Where a name would cover something, put it elsewhere: ``shoulder=(-12, 4)``, in points from the joint.
+    """
     points = arm.joint_positions(q, geometry)
     if isinstance(ax, Axes3D):
         places = np.transpose(proj_transform(*points.T, ax.get_proj()))[:, :2]
     else:
         places = _in_plane(points, q)
-    for (name, offset), place in zip(JOINT_LABELS.items(), places, strict=True):
+    for (name, offset), place in zip((JOINT_LABELS | offsets).items(), places, strict=True):
         side = {-1: "right", 0: "center", 1: "left"}[np.sign(offset[0])]
         label = ax.annotate(name, place, xytext=offset, textcoords="offset points", horizontalalignment=side)
         label.set_path_effects([withStroke(linewidth=3, foreground="white")])
@@ -105,11 +131,9 @@ def _polylines(q: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
 
 
 def _draw(ax: Axes, links: np.ndarray, fork: np.ndarray, style: dict) -> list[Line2D]:
-    style = {"color": COLOURS["link"]} | style
-    return [
-        *ax.plot(*links.T, "o-", **{"linewidth": 4, "markersize": 7} | style),
-        *ax.plot(*fork.T, "-", **{"linewidth": 2.5} | style | {"label": None}),
-    ]
+    style = {"color": COLOURS["link"], "linewidth": 4, "markersize": 7} | style
+    of_fork = style | {"linewidth": 0.625 * style["linewidth"], "label": None}
+    return [*ax.plot(*links.T, "o-", **style), *ax.plot(*fork.T, "-", **of_fork)]
 
 
 def _axes_polylines(T: np.ndarray, length: float) -> list[np.ndarray]:

@@ -1,10 +1,15 @@
-"""The DH schema of the arm: joints as cylinders about their axes, link frames, lengths; report Fig. 1.1."""
+"""The DH schema of the arm: joints as cylinders about their axes, link frames, lengths; report Fig. 1.1.
+
+And two schemas beside it: one link in general, and the triangle that the inverse kinematics solves.
+"""
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patches import Arc
 from matplotlib.patheffects import withStroke
 
 from .. import arm, dh
+from .arm import arm_side_view
 from .style import COLOURS
 
 # The pose drawn: upper arm raised, forearm lowered, gripper level.
@@ -32,7 +37,7 @@ def dh_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
         ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
     for i in (0, 1, 2, 3, 5):
         _triad(ax, T[i], 0.05 * size, i)
-    sides = (0.07, 0.075, 0.06, -0.055)  # of the line between the joints, clear of the frames
+    sides = (0.07, 0.075, 0.085, -0.055)  # of the line between the joints, clear of the frames
     for name, start, end, side in zip(("d_1", "L_1", "L_2", "L_3"), points[:-1], points[1:], sides, strict=True):
         _dimension(ax, start @ VIEW, end @ VIEW, side * size, f"${name}$")
     return _bare(ax)
@@ -74,6 +79,32 @@ def link_schema(ax: Axes) -> Axes:
     for name, middle in (("$d$", foot / 2), ("$a$", (foot + tip) / 2)):
         ax.annotate(name, middle @ VIEW, xytext=(-20, 10), textcoords="offset points", fontsize=13)
     return _bare(ax)
+
+
+def triangle_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
+    """The triangle of shoulder, elbow and wrist from the side, with its sides and the angles of its two joints."""
+    q = np.pi / 180 * np.array([0, 75, -70, 65, 0])
+    _, shoulder, elbow, wrist, _ = arm.joint_positions(q, geometry)[:, [0, 2]]
+    arm_side_view(ax, q, geometry)
+    below_wrist, beyond_elbow = np.array([wrist[0], shoulder[1]]), 1.4 * elbow - 0.4 * shoulder
+    dotted = [shoulder, below_wrist, wrist], [elbow, beyond_elbow]
+    for corners, line in (([shoulder, wrist], "--"), (dotted[0], ":"), (dotted[1], ":")):
+        ax.plot(*np.transpose(corners), line, color=COLOURS["aid"])
+    size = sum(geometry)
+    for at, start, end in ((shoulder, 0, 75), (elbow, 5, 75)):
+        ax.add_patch(Arc(at, 0.15 * size, 0.15 * size, theta1=start, theta2=end))
+    names = {
+        "$r_{wrist}$": ((shoulder + below_wrist) / 2, (0, -16)),
+        "$h$": ((below_wrist + wrist) / 2, (12, 0)),
+        "$L_1$": ((shoulder + elbow) / 2, (-18, 6)),
+        "$L_2$": ((elbow + wrist) / 2, (16, 14)),
+        "$\\theta_2$": (shoulder, (44, 10)),
+        "$\\theta_3$": (elbow, (36, 28)),
+    }
+    for name, (place, offset) in names.items():
+        ax.annotate(name, place, xytext=offset, textcoords="offset points", ha="center", va="center", fontsize=14)
+    ax.margins(0.12)
+    return ax
 
 
 def _polyline(ax: Axes, points: list[np.ndarray], **style) -> None:

@@ -28,10 +28,11 @@ class JointLimitError(LynxError):
 
 
 class NotAchievableError(LynxError):
-    """A pose whose tool axis does not lie in a vertical plane through the base axis; ``angle`` in radians."""
+    """A pose whose gripper's axis does not lie in a vertical plane through the base axis; ``angle`` in radians."""
 
     def __init__(self, angle: float):
         self.angle = angle
         super().__init__(
-            f"Five joints cannot take this pose: its tool axis leaves the arm's plane by {degrees(angle):.2f} deg."
+            "Five joints cannot take this pose: the gripper's axis leaves the arm's plane by "
+            f"{degrees(angle):.2f} deg."
         )

@@ -67,17 +67,17 @@ def _scara(second: sp.Expr, height: sp.Expr) -> sp.Matrix:
     return sp.Matrix([x, y, height])
 
 
-TOOL = _scara(theta_1 + theta_2, d_1 - d_3)
-PROXIMAL_TOOL = sp.Matrix([L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), d_1 - d_3])
+GRIPPER = _scara(theta_1 + theta_2, d_1 - d_3)
+PROXIMAL_GRIPPER = sp.Matrix([L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), d_1 - d_3])
 
 
-def _off(position: sp.Matrix, other: sp.Matrix = TOOL) -> float:
+def _off(position: sp.Matrix, other: sp.Matrix = GRIPPER) -> float:
     samples = np.random.default_rng(0).uniform(0.1, 1.0, (20, len(SCARA_SYMBOLS)))
     return float(np.abs(numeric(position - other, SCARA_SYMBOLS)(samples)).max())
 
 
-def _describe_tool(p: sp.Matrix) -> str:
-    right = [_off(p[i : i + 1, :], TOOL[i : i + 1, :]) <= TOLERANCE for i in range(3)]
+def _describe_gripper(p: sp.Matrix) -> str:
+    right = [_off(p[i : i + 1, :], GRIPPER[i : i + 1, :]) <= TOLERANCE for i in range(3)]
     return (
         ", ".join(f"{name} is {'right' if ok else 'not right'}" for name, ok in zip("xyz", right, strict=True))
         + "."
@@ -161,10 +161,10 @@ EXERCISES = {
             ),
             (
                 lambda p: _off(p, _scara(theta_1 + theta_2, d_1 + d_3)) <= TOLERANCE,
-                "the slide moves the tool down, so its d_3 lowers the tool.",
+                "the slide moves the gripper down, so its d_3 lowers the gripper.",
             ),
             (
-                lambda p: _off(p, PROXIMAL_TOOL) <= TOLERANCE,
+                lambda p: _off(p, PROXIMAL_GRIPPER) <= TOLERANCE,
                 "this is a distal table multiplied in the proximal way: dh.modified takes a before theta, so each "
                 "row needs the a of the link before.",
             ),
@@ -177,13 +177,13 @@ EXERCISES = {
                 "both joint axes are vertical, so no joint angle changes the height.",
             ),
         ),
-        describe=_describe_tool,
+        describe=_describe_gripper,
         hints=(
             "Seen from above it is a planar arm with two links. At which angle from x does the second link point?",
             "A standard DH table of it has three rows. Which alpha in the second turns z down the slide?",
         ),
         explanation="The first row lifts by $d_1$ and reaches out by $L_1$; the second reaches out by $L_2$ "
-        "and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ lowers the tool.",
+        "and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ lowers the gripper.",
         code="table = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]\n"
         "answer_3 = tidy(dh.chain(table)[-1][:3, 3])",
     ),

@@ -68,14 +68,16 @@ SAMPLES = _scara_samples()
 
 
 def _scara_off(answer: sp.Matrix) -> np.ndarray:
-    """How far the tool is from its target along x, y, z and, in the last column, theta_2, by sample."""
+    """How far the gripper is from its target along x, y, z and, in the last column, theta_2, by sample."""
     theta_1, theta_2, d_3 = numeric(answer, SCARA)(SAMPLES).T
     *target, height, first, second = SAMPLES.T
-    tool = first * np.exp(1j * theta_1) + second * np.exp(1j * (theta_1 + theta_2))
-    return np.column_stack([tool.real, tool.imag, height - d_3, theta_2]) - np.column_stack([*target, 0 * height])
+    gripper = first * np.exp(1j * theta_1) + second * np.exp(1j * (theta_1 + theta_2))
+    return np.column_stack([gripper.real, gripper.imag, height - d_3, theta_2]) - np.column_stack(
+        [*target, 0 * height]
+    )
 
 
-def _tool_there(answer: sp.Matrix) -> bool:
+def _gripper_there(answer: sp.Matrix) -> bool:
     return bool((np.abs(_scara_off(answer)[:, :3]).max(axis=1) <= TOLERANCE).all())
 
 
@@ -86,7 +88,8 @@ def _describe_scara(answer: sp.Matrix) -> str:
     away = np.abs(off[:, :3]).max(axis=1) > TOLERANCE
     flat = np.abs(off[:, :2]).max() <= TOLERANCE
     return (
-        f"the tool misses {away.sum()} of {len(off)} targets; seen from above it is {'right' if flat else 'off'}, "
+        f"the gripper misses {away.sum()} of {len(off)} targets; seen from above it is "
+        f"{'right' if flat else 'off'}, "
         f"its height is {'right' if np.abs(off[:, 2]).max() <= TOLERANCE else 'off'}."
     )
 
@@ -107,8 +110,8 @@ EXERCISES = {
             ),
         ),
         describe=lambda p: f"this is {np.linalg.norm(p - _wrist([0, 0, -1])):.3f} m from the wrist.",
-        hints=("The wrist is at p - L_3 a.", "The axis a of a gripper that points straight down is (0, 0, -1)."),
-        explanation="The axis is $a = (0, 0, -1)$, so $p - L_3 a$ is $L_3$ *above* the gripper.",
+        hints=("The wrist is at p - L_3 n.", "The axis n of a gripper that points straight down is (0, 0, -1)."),
+        explanation="The axis is $n = (0, 0, -1)$, so $p - L_3 n$ is $L_3$ *above* the gripper.",
         code="answer_1 = np.array([0.25, 0, 0.05]) - arm.LYNX.L_3 * np.array([0, 0, -1])",
     ),
     "A3.2": Exercise(
@@ -143,23 +146,23 @@ EXERCISES = {
     ),
     "A3.3": Exercise(
         read=expressions(SCARA, 3),
-        right=lambda answer: _tool_there(answer) and bool((_scara_off(answer)[:, 3] >= -TOLERANCE).all()),
+        right=lambda answer: _gripper_there(answer) and bool((_scara_off(answer)[:, 3] >= -TOLERANCE).all()),
         misconceptions=(
-            (_tool_there, "the tool is there, but with the other elbow: theta_2 is negative."),
+            (_gripper_there, "the gripper is there, but with the other elbow: theta_2 is negative."),
             (
-                lambda answer: _tool_there(sp.Matrix([answer[0], answer[1], -answer[2]])),
-                "the slide lowers the tool, so d_3 is d_1 - z.",
+                lambda answer: _gripper_there(sp.Matrix([answer[0], answer[1], -answer[2]])),
+                "the slide lowers the gripper, so d_3 is d_1 - z.",
             ),
             (
-                lambda answer: _tool_there(answer.replace(sp.atan, _full_turn)),
+                lambda answer: _gripper_there(answer.replace(sp.atan, _full_turn)),
                 "an arc tangent of a quotient loses the quadrant; use sp.atan2(y, x).",
             ),
             (
-                lambda answer: _tool_there(sp.Matrix([answer[0], answer[1] - answer[0], answer[2]])),
+                lambda answer: _gripper_there(sp.Matrix([answer[0], answer[1] - answer[0], answer[2]])),
                 "theta_2 is counted from the first link; this is counted from x.",
             ),
             (
-                lambda answer: _tool_there(sp.Matrix([2 * sp.atan2(y, x) - answer[0], answer[1], answer[2]])),
+                lambda answer: _gripper_there(sp.Matrix([2 * sp.atan2(y, x) - answer[0], answer[1], answer[2]])),
                 "in theta_1 the angle within the triangle is to be taken off, not added, for theta_2 >= 0.",
             ),
         ),

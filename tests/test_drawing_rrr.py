@@ -136,3 +136,34 @@ def test_names_stand_at_the_joints(ax):
         np.testing.assert_allclose([names[f"${name}_{i}$"] for i in (1, 2, 3)], points)
     np.testing.assert_allclose(names["$C$"], POSE[:2])
     assert len(names) == 10
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])
+def test_one_line_goes_along_every_link_and_ends_in_the_needle(geometry, rng):
+    pose = poses(rng, 200)
+    pose = pose[rrr.reachable(pose, geometry)]
+    theta = rrr.inverse_kinematics(pose, geometry)[:, MODE]
+    line = drawing.rrr_outline(pose, theta, geometry)
+    assert line.shape == (len(pose), 15, 3)
+    assert (line[..., 2] == 0).all()
+    line = 1000 * line[..., :2]
+    np.testing.assert_allclose(line[:, -1], pose[:, :2])
+    PB, M, PP = rrr.base_joints(geometry), rrr.elbows(theta, geometry), rrr.platform_joints(pose, geometry)
+    edges = [(np.broadcast_to(PB[i], (len(pose), 2)), M[:, i]) for i in range(3)]
+    edges += [(M[:, i], PP[:, i]) for i in range(3)] + [(PP[:, i - 1], PP[:, i]) for i in range(3)]
+    edges.append((PP[:, 0], pose[:, :2]))
+    steps = [(line[:, k], line[:, k + 1]) for k in range(14)]
+    for edge in edges:  # each is a step of the line
+        assert any(same(edge, step) or same(edge[::-1], step) for step in steps)
+    for step in steps:  # and no step is anything else
+        assert any(same(edge, step) or same(edge[::-1], step) for edge in edges)
+
+
+def test_one_line_for_locked_motors_is_that_with_their_angles_repeated(rng):
+    pose, theta = poses(rng, 5), np.array([0.3, -1.0, 2.0])
+    repeated = drawing.rrr_outline(pose, np.tile(theta, (5, 1)))
+    np.testing.assert_array_equal(drawing.rrr_outline(pose, theta), repeated)
+
+
+def same(edge, step):
+    return np.allclose(edge, step, atol=1e-9)

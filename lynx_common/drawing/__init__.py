@@ -5,7 +5,7 @@ A function that draws computes nothing: it asks the robot's module where things 
 
 from .arm import arm_3d, arm_side_view, arm_top_view, frames_3d, frames_side_view, gripper, label_joints, move
 from .region import region_2d, region_path
-from .rrr import label_rrr, move_rrr, rrr_2d
+from .rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
 from .schema import dh_schema, link_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
@@ -26,6 +26,7 @@ __all__ = [
     "region_2d",
     "region_path",
     "rrr_2d",
+    "rrr_outline",
     "space_3d",
     "two_views",
     "use_style",

@@ -19,6 +19,8 @@ STYLES = {
 }
 # A gap below this share of L is one of rounding.
 CLOSED = 1e-6
+# In one line through everything, from PB_1: where joints 0 to 2 are PB, 3 to 5 M, 6 to 8 PP, and 9 is the needle.
+ALONG = [0, 3, 6, 7, 4, 1, 4, 7, 8, 5, 2, 5, 8, 6, 9]
 OUTLINE = [withStroke(linewidth=3, foreground="white")]
 
 
@@ -64,6 +66,19 @@ def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometr
     places = middle + geometry.r_platform / 3 * beside
     for text, place, gap, shown in zip(artists[len(STYLES) :], places, gaps, is_open, strict=True):
         text.set(position=place, text=f"{gap:.1f} mm" if shown else "")
+
+
+def rrr_outline(pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
+    """One line through all links, round the platform and to the needle, for each of n poses, (n, 15, 3).
+
+    ``pose`` (mm, mm, rad) is (n, 3), ``theta`` (rad) that or (3,). The line is in metres, at the height 0, as
+    ``course.player`` takes it.
+    """
+    PP = rrr.platform_joints(pose, geometry)
+    fixed, elbows = rrr.base_joints(geometry), rrr.elbows(theta, geometry)
+    PB, M = (np.broadcast_to(points, PP.shape) for points in (fixed, elbows))
+    points = np.concatenate([PB, M, PP, np.asarray(pose)[:, None, :2]], axis=1) / 1000
+    return np.insert(points[:, ALONG], 2, 0, axis=-1)
 
 
 def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:

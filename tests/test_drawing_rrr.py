@@ -82,8 +82,11 @@ def test_angles_of_another_pose_leave_gaps_that_are_drawn_and_measured(ax):
     np.testing.assert_allclose(gaps[1:, 0], lines["distal link $L$"][1:, 1])
     beside = [text.get_position() for text in artists[len(STYLES) + 1 :]]
     offset = beside - gaps[1:].mean(axis=1)
-    np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 3)
+    np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 8)
     np.testing.assert_allclose((offset * np.diff(gaps[1:], axis=1)[:, 0]).sum(axis=1), 0, atol=1e-9)
+    for text, (right, up) in zip(artists[len(STYLES) + 1 :], offset, strict=True):
+        assert text.get_ha() == ("left" if right > 5 else "right" if right < -5 else "center")
+        assert text.get_va() == ("bottom" if up > 5 else "top" if up < -5 else "center")
     away_from_the_needle = np.linalg.norm(beside - POSE[:2], axis=1)
     assert (away_from_the_needle > np.linalg.norm(gaps[1:].mean(axis=1) - POSE[:2], axis=1)).all()
 

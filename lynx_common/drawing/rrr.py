@@ -36,7 +36,7 @@ def rrr_2d(
     artists = [
         ax.plot([], [], **{"markersize": 5, "label": name} | own | style)[0] for name, own in STYLES.items()
     ]
-    place = {"color": COLOURS["printed"], "ha": "center", "va": "center", "path_effects": OUTLINE, "zorder": 6}
+    place = {"color": COLOURS["link"], "path_effects": OUTLINE, "zorder": 6}
     artists += [ax.text(0, 0, "", **place) for _ in range(3)]
     move_rrr(artists, pose, theta, geometry)
     ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
@@ -59,13 +59,23 @@ def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometr
     }
     for line, name in zip(artists, STYLES, strict=False):
         line.set_data(*lines[name].T)
+    _write_gaps(artists[len(STYLES) :], ends, PP, np.where(is_open, gaps, 0), geometry)
+
+
+def _write_gaps(
+    texts: list[Artist], ends: np.ndarray, PP: np.ndarray, gaps: np.ndarray, geometry: rrr.Geometry
+) -> None:
+    """The size of each gap that is not 0, beside it, on the side away from the middle of the platform."""
     middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
-    beside *= np.where((beside * (middle - lines["needle"])).sum(axis=1) < 0, -1, 1)[
-        :, None
-    ]  # away from the needle
-    places = middle + geometry.r_platform / 3 * beside
-    for text, place, gap, shown in zip(artists[len(STYLES) :], places, gaps, is_open, strict=True):
-        text.set(position=place, text=f"{gap:.1f} mm" if shown else "")
+    outwards = (beside * (middle - PP.mean(axis=0))).sum(axis=1) >= 0
+    beside = np.where(outwards[:, None], beside, -beside)
+    for text, point, (x, y), gap in zip(texts, middle, beside, gaps, strict=True):
+        text.set(
+            position=point + geometry.r_platform / 8 * np.array([x, y]),
+            ha="left" if x > 0.3 else "right" if x < -0.3 else "center",
+            va="bottom" if y > 0.3 else "top" if y < -0.3 else "center",
+            text=f"{gap:.1f} mm" if gap else "",
+        )
 
 
 def rrr_outline(pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
@@ -84,12 +94,12 @@ def rrr_outline(pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rr
 def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
     """Write the names of all joints, and of the needle C, beside them."""
     PB, M, _, PP = joints(pose, theta, geometry)
-    middle = np.mean(PB, axis=0)
-    for name, points in (("PB", PB), ("M", M), ("PP", PP)):
+    middle, needle = np.mean(PB, axis=0), np.asarray(pose)[:2]
+    for name, points, centre, shift in (("PB", PB, middle, 20), ("M", M, middle, 14), ("PP", PP, needle, -22)):
         for leg, point in enumerate(points, start=1):
-            away = (point - middle) / np.linalg.norm(point - middle)
-            _write(ax, f"${name}_{leg}$", point, 14 * away)
-    _write(ax, "$C$", np.asarray(pose)[:2], np.array([10, 8]))
+            away = (point - centre) / np.linalg.norm(point - centre)
+            _write(ax, f"${name}_{leg}$", point, shift * away)
+    _write(ax, "$C$", needle, np.array([10, 8]))
 
 
 def joints(

@@ -84,11 +84,22 @@ def test_angles_of_another_pose_leave_gaps_that_are_drawn_and_measured(ax):
     offset = beside - gaps[1:].mean(axis=1)
     np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 8)
     np.testing.assert_allclose((offset * np.diff(gaps[1:], axis=1)[:, 0]).sum(axis=1), 0, atol=1e-9)
-    for text, (right, up) in zip(artists[len(STYLES) + 1 :], offset, strict=True):
-        assert text.get_ha() == ("left" if right > 5 else "right" if right < -5 else "center")
-        assert text.get_va() == ("bottom" if up > 5 else "top" if up < -5 else "center")
     away_from_the_needle = np.linalg.norm(beside - POSE[:2], axis=1)
     assert (away_from_the_needle > np.linalg.norm(gaps[1:].mean(axis=1) - POSE[:2], axis=1)).all()
+
+
+def test_the_size_of_a_gap_begins_beside_it_whatever_the_direction(ax, rng):
+    """On the left of the gap the text ends there, on the right it begins there; above and below likewise."""
+    seen = set()
+    for theta in rng.uniform(-np.pi, np.pi, (40, 3)):
+        artists = drawing.rrr_2d(ax, POSE, theta)
+        (_, ends), PP = np.moveaxis(lines_of(artists)["distal link $L$"], 1, 0), rrr.platform_joints(POSE)
+        for text, middle in zip(artists[len(STYLES) :], (ends + PP) / 2, strict=True):
+            right, up = (text.get_position() - middle) / (rrr.RRR.r_platform / 8)
+            assert text.get_ha() == ("left" if right > 0.3 else "right" if right < -0.3 else "center")
+            assert text.get_va() == ("bottom" if up > 0.3 else "top" if up < -0.3 else "center")
+            seen.add((text.get_ha(), text.get_va()))
+    assert len(seen) == 8
 
 
 def test_base_platform_and_needle_are_where_the_robot_has_them(ax):

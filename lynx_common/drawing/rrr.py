@@ -36,7 +36,7 @@ def rrr_2d(
     artists = [
         ax.plot([], [], **{"markersize": 5, "label": name} | own | style)[0] for name, own in STYLES.items()
     ]
-    place = {"color": COLOURS["link"], "path_effects": OUTLINE, "zorder": 6}
+    place = {"color": COLOURS["link"], "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8}, "zorder": 6}
     artists += [ax.text(0, 0, "", **place) for _ in range(3)]
     move_rrr(artists, pose, theta, geometry)
     ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")

@@ -82,10 +82,24 @@ def test_angles_of_another_pose_leave_gaps_that_are_drawn_and_measured(ax):
     np.testing.assert_allclose(gaps[1:, 0], lines["distal link $L$"][1:, 1])
     beside = [text.get_position() for text in artists[len(STYLES) + 1 :]]
     offset = beside - gaps[1:].mean(axis=1)
-    np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 3)
+    np.testing.assert_allclose(np.linalg.norm(offset, axis=1), rrr.RRR.r_platform / 8)
     np.testing.assert_allclose((offset * np.diff(gaps[1:], axis=1)[:, 0]).sum(axis=1), 0, atol=1e-9)
     away_from_the_needle = np.linalg.norm(beside - POSE[:2], axis=1)
     assert (away_from_the_needle > np.linalg.norm(gaps[1:].mean(axis=1) - POSE[:2], axis=1)).all()
+
+
+def test_the_size_of_a_gap_begins_beside_it_whatever_the_direction(ax, rng):
+    """On the left of the gap the text ends there, on the right it begins there; above and below likewise."""
+    seen = set()
+    for theta in rng.uniform(-np.pi, np.pi, (40, 3)):
+        artists = drawing.rrr_2d(ax, POSE, theta)
+        (_, ends), PP = np.moveaxis(lines_of(artists)["distal link $L$"], 1, 0), rrr.platform_joints(POSE)
+        for text, middle in zip(artists[len(STYLES) :], (ends + PP) / 2, strict=True):
+            right, up = (text.get_position() - middle) / (rrr.RRR.r_platform / 8)
+            assert text.get_ha() == ("left" if right > 0.3 else "right" if right < -0.3 else "center")
+            assert text.get_va() == ("bottom" if up > 0.3 else "top" if up < -0.3 else "center")
+            seen.add((text.get_ha(), text.get_va()))
+    assert len(seen) == 8
 
 
 def test_base_platform_and_needle_are_where_the_robot_has_them(ax):
@@ -136,3 +150,34 @@ def test_names_stand_at_the_joints(ax):
         np.testing.assert_allclose([names[f"${name}_{i}$"] for i in (1, 2, 3)], points)
     np.testing.assert_allclose(names["$C$"], POSE[:2])
     assert len(names) == 10
+
+
+@pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])
+def test_one_line_goes_along_every_link_and_ends_in_the_needle(geometry, rng):
+    pose = poses(rng, 200)
+    pose = pose[rrr.reachable(pose, geometry)]
+    theta = rrr.inverse_kinematics(pose, geometry)[:, MODE]
+    line = drawing.rrr_outline(pose, theta, geometry)
+    assert line.shape == (len(pose), 15, 3)
+    assert (line[..., 2] == 0).all()
+    line = 1000 * line[..., :2]
+    np.testing.assert_allclose(line[:, -1], pose[:, :2])
+    PB, M, PP = rrr.base_joints(geometry), rrr.elbows(theta, geometry), rrr.platform_joints(pose, geometry)
+    edges = [(np.broadcast_to(PB[i], (len(pose), 2)), M[:, i]) for i in range(3)]
+    edges += [(M[:, i], PP[:, i]) for i in range(3)] + [(PP[:, i - 1], PP[:, i]) for i in range(3)]
+    edges.append((PP[:, 0], pose[:, :2]))
+    steps = [(line[:, k], line[:, k + 1]) for k in range(14)]
+    for edge in edges:  # each is a step of the line
+        assert any(same(edge, step) or same(edge[::-1], step) for step in steps)
+    for step in steps:  # and no step is anything else
+        assert any(same(edge, step) or same(edge[::-1], step) for edge in edges)
+
+
+def test_one_line_for_locked_motors_is_that_with_their_angles_repeated(rng):
+    pose, theta = poses(rng, 5), np.array([0.3, -1.0, 2.0])
+    repeated = drawing.rrr_outline(pose, np.tile(theta, (5, 1)))
+    np.testing.assert_array_equal(drawing.rrr_outline(pose, theta), repeated)
+
+
+def same(edge, step):
+    return np.allclose(edge, step, atol=1e-9)

@@ -244,3 +244,9 @@ def test_the_errata_are_what_is_printed_why_it_cannot_be_and_what_holds(monkeypa
     assert cells["claim A1.3"][0] == "Fig. 1.2 shows position and orientation of the gripper"
     (link,) = re.findall(r"eq.&nbsp;1.10\]\(([^)]+)\)", report.errata().data)
     assert f"({link})" in report.ledger().data
+
+
+def test_names_of_lengths_and_angles_are_typeset():
+    table = report.summary("Part2_parallel_robot").data
+    for words in ("$r_{platform}$ and $r_{base}$ in mm", "with $\\alpha$ the workspace", "t = tan($\\theta$ / 2)"):
+        assert words in table

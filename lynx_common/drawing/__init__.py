@@ -16,7 +16,7 @@ from .arm import (
     target,
 )
 from .region import cloud, region_2d, region_path, squares
-from .rrr import label_rrr, move_rrr, rrr_2d
+from .rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
 from .schema import dh_schema, link_schema, triangle_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
@@ -39,6 +39,7 @@ __all__ = [
     "region_2d",
     "region_path",
     "rrr_2d",
+    "rrr_outline",
     "space_3d",
     "squares",
     "target",

@@ -19,6 +19,8 @@ STYLES = {
 }
 # A gap below this share of L is one of rounding.
 CLOSED = 1e-6
+# In one line through everything, from PB_1: where joints 0 to 2 are PB, 3 to 5 M, 6 to 8 PP, and 9 is the needle.
+ALONG = [0, 3, 6, 7, 4, 1, 4, 7, 8, 5, 2, 5, 8, 6, 9]
 OUTLINE = [withStroke(linewidth=3, foreground="white")]
 
 
@@ -34,7 +36,7 @@ def rrr_2d(
     artists = [
         ax.plot([], [], **{"markersize": 5, "label": name} | own | style)[0] for name, own in STYLES.items()
     ]
-    place = {"color": COLOURS["printed"], "ha": "center", "va": "center", "path_effects": OUTLINE, "zorder": 6}
+    place = {"color": COLOURS["link"], "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8}, "zorder": 6}
     artists += [ax.text(0, 0, "", **place) for _ in range(3)]
     move_rrr(artists, pose, theta, geometry)
     ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
@@ -57,23 +59,47 @@ def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometr
     }
     for line, name in zip(artists, STYLES, strict=False):
         line.set_data(*lines[name].T)
+    _write_gaps(artists[len(STYLES) :], ends, PP, np.where(is_open, gaps, 0), geometry)
+
+
+def _write_gaps(
+    texts: list[Artist], ends: np.ndarray, PP: np.ndarray, gaps: np.ndarray, geometry: rrr.Geometry
+) -> None:
+    """The size of each gap that is not 0, beside it, on the side away from the middle of the platform."""
     middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
-    inwards = (beside * (middle - lines["needle"])).sum(axis=1, keepdims=True) < 0
-    beside = np.where(inwards, -beside, beside)  # away from the needle
-    places = middle + geometry.r_platform / 3 * beside
-    for text, place, gap, shown in zip(artists[len(STYLES) :], places, gaps, is_open, strict=True):
-        text.set(position=place, text=f"{gap:.1f} mm" if shown else "")
+    outwards = (beside * (middle - PP.mean(axis=0))).sum(axis=1) >= 0
+    beside = np.where(outwards[:, None], beside, -beside)
+    for text, point, (x, y), gap in zip(texts, middle, beside, gaps, strict=True):
+        text.set(
+            position=point + geometry.r_platform / 8 * np.array([x, y]),
+            ha="left" if x > 0.3 else "right" if x < -0.3 else "center",
+            va="bottom" if y > 0.3 else "top" if y < -0.3 else "center",
+            text=f"{gap:.1f} mm" if gap else "",
+        )
+
+
+def rrr_outline(pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
+    """One line through all links, round the platform and to the needle, for each of n poses, (n, 15, 3).
+
+    ``pose`` (mm, mm, rad) is (n, 3), ``theta`` (rad) that or (3,). The line is in metres, at the height 0, as
+    ``course.player`` takes it.
+    """
+    PP = rrr.platform_joints(pose, geometry)
+    fixed, elbows = rrr.base_joints(geometry), rrr.elbows(theta, geometry)
+    PB, M = (np.broadcast_to(points, PP.shape) for points in (fixed, elbows))
+    points = np.concatenate([PB, M, PP, np.asarray(pose)[:, None, :2]], axis=1) / 1000
+    return np.insert(points[:, ALONG], 2, 0, axis=-1)
 
 
 def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
     """Write the names of all joints, and of the needle C, beside them."""
     PB, M, _, PP = joints(pose, theta, geometry)
-    middle = np.mean(PB, axis=0)
-    for name, points in (("PB", PB), ("M", M), ("PP", PP)):
+    middle, needle = np.mean(PB, axis=0), np.asarray(pose)[:2]
+    for name, points, centre, shift in (("PB", PB, middle, 20), ("M", M, middle, 14), ("PP", PP, needle, -22)):
         for leg, point in enumerate(points, start=1):
-            away = (point - middle) / np.linalg.norm(point - middle)
-            _write(ax, f"${name}_{leg}$", point, 14 * away)
-    _write(ax, "$C$", np.asarray(pose)[:2], np.array([10, 8]))
+            away = (point - centre) / np.linalg.norm(point - centre)
+            _write(ax, f"${name}_{leg}$", point, shift * away)
+    _write(ax, "$C$", needle, np.array([10, 8]))
 
 
 def joints(

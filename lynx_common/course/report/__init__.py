@@ -23,6 +23,7 @@ from .item import Item, differs
 
 LETTERS = {TASK[3]: r"\varphi"}  # the pitch, as the notebooks write it
 CHECKED = re.compile(r'report\.check\("([^"]+)"')
+NAME = re.compile(r"\b(?:(theta|[A-Za-z])_(\d+|[A-Za-z]|base|platform)|alpha|theta)\b")
 LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2, part3) for item in notebook.ITEMS}
 
 
@@ -125,14 +126,14 @@ def _checking_cells(notebook: str) -> dict[str, str]:
 
 
 def _typeset(text: str) -> str:
-    """``text`` with names such as theta_4, d_1 and S_A as mathematics."""
-    return re.sub(r"\b(theta|[A-Za-z])_(\d+|[A-Za-z])\b", _symbol, text)
+    """``text`` with names such as alpha, theta_4, S_A and r_base as mathematics."""
+    return NAME.sub(_symbol, text)
 
 
 def _symbol(name: re.Match) -> str:
     letter, index = name.groups()
-    letter = r"\theta" if letter == "theta" else letter
-    return f"${letter}_{{{index}}}$"
+    letter = {"theta": r"\theta", None: f"\\{name[0]}"}.get(letter, letter)
+    return f"${letter}_{{{index}}}$" if index else f"${letter}$"
 
 
 def _reading_order(item: Item) -> tuple:

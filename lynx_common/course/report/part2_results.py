@@ -1,4 +1,4 @@
-"""Sections 2.1 and 2.2 of the report: their tables, figures and claims; and one claim of section 3.1."""
+"""Sections 2.1 and 2.2 of the report: their tables, figures and claims."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ FIG_2_2 = np.array(
 POSITION_3 = [-132.5599, 31.2654, 132.0131]
 TABLE_2_4_RIGHT = np.array([[-130.1192, 17.8457, 93.0238], POSITION_3])
 FIG_2_2_RIGHT = np.array([[-97.2250, 18.1056, 76.1906], POSITION_3])
-LOWER_LINKS = np.array(
+DISTAL_LINKS = np.array(
     [[245.03, 418.84, 183.28], [188.95, 317.80, 180.08], [285.61, 351.48, 277.60], [216.57, 246.69, 235.64]]
 )
 # Fig. 2.4, on its grid of 10 mm: least and largest X_c, least and largest Y_c, at 0, 30, 45 and 60 deg.
@@ -83,12 +83,12 @@ ITEMS = [
     _data(
         "Fig. 2.1",
         "2.1, pp. 14-17",
-        "the robot in four positions, each with three lower links of 130 mm",
+        "the robot in four positions, each with three distal links of 130 mm",
         np.full((4, 3), 130.0),
         2,
-        "wrong: the lower links as drawn measure 180.08 to 418.84 mm, none 130",
+        "wrong: the distal links as drawn measure 180.08 to 418.84 mm, none 130",
         "at the angles of Fig. 2.2 no elbow is 130 mm from its platform joint",
-        right=LOWER_LINKS,
+        right=DISTAL_LINKS,
     ),
     _data(
         "Fig. 2.2",
@@ -139,7 +139,7 @@ ITEMS = [
         "2.1, p. 17",
         "the configurations are feasible",
         "wrong: no leg of the twelve closes; the gaps are 50 to 289 mm",
-        "the lower link is 130 mm long, and has 180 mm or more to bridge in every leg",
+        "the distal link is 130 mm long, and has 180 mm or more to bridge in every leg",
     ),
     _claim(
         4,
@@ -152,7 +152,7 @@ ITEMS = [
         5,
         "2.1, p. 17",
         "the pictures confirm the kinematic model",
-        "wrong: they refute it, by the lengths of the lower links",
+        "wrong: they refute it, by the lengths of the distal links",
         "a line is drawn from elbow to platform joint, however far apart they are",
     ),
     _claim(6, "2.2, pp. 17-19", "the discriminant of the quadratic decides whether a leg can close"),
@@ -183,12 +183,5 @@ ITEMS = [
         "with alpha its shape alters slightly",
         "wrong: its area falls to a sixth from 0 to 60 deg, and to nothing at 81.61 deg",
         "the area at 0 deg is 6.06 times that at 60 deg",
-    ),
-    _claim(
-        11,
-        "3.1, p. 20",
-        "at a singularity a robot loses freedom",
-        "wrong: at one of type 2 (det A = 0) the platform of a parallel robot gains a freedom",
-        "where the lines of the three distal links meet, the platform can turn a little with all motors at rest",
     ),
 ]

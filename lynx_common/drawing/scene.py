@@ -50,7 +50,7 @@ def determinant_map(ax: Axes, geometry: arm.Geometry, samples: int = 121) -> Qua
     shading = ax.pcolormesh(degrees, degrees, np.linalg.det(J), cmap="PuOr", rasterized=True)
     ax.contour(degrees, degrees, J[..., 2, 1], [0], colors=COLOURS["x"])  # dz/dtheta_2 is the distance r
     for bend in (-180, 0, 180):
-        ax.axhline(bend, color=COLOURS["z"])
+        ax.axhline(bend, color=COLOURS["z"], linewidth=4 if bend else 2)  # half of an edge is cut off
     ticks = range(-180, 181, 90)
     ax.set(xlabel="θ₂ [deg]", ylabel="θ₃ [deg]", xticks=ticks, yticks=ticks, xlim=(-180, 180), ylim=(-180, 180))
     return shading

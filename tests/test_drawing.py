@@ -1,11 +1,13 @@
 """Drawings put things where the robot's module says they are."""
 
+from types import SimpleNamespace
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.path import Path
 
-from lynx_common import arm, drawing
+from lynx_common import arm, drawing, obstacles, planner, screws
 from lynx_common.arcs import annulus
 
 Q = np.array([1.0, 0.8, -0.5, 1.2, 0.4])
@@ -210,3 +212,65 @@ def test_each_square_stands_where_its_centre_is(views):
     assert many < few  # darker
     views[1].get_figure().draw_without_rendering()
     assert not any(line.get_visible() for line in views[1].get_xgridlines())
+
+
+def test_an_arm_without_its_gripper_is_its_links_only(views):
+    space, plane = views
+    (links,) = drawing.arm_3d(space, Q, with_gripper=False)
+    (flat,) = drawing.arm_side_view(plane, Q, with_gripper=False, color="red")
+    np.testing.assert_allclose(np.transpose(links.get_data_3d()), arm.joint_positions(Q))
+    np.testing.assert_allclose(flat.get_data(), in_plane(arm.joint_positions(Q)))
+    assert flat.get_color() == "red"
+
+
+def test_a_view_in_space_names_the_unit(views):
+    corners = np.array([[0, 0, 0], [1, 2, 3.0]])
+    space = drawing.space_3d(views[0], corners, unit="units")
+    assert (space.get_xlabel(), space.get_ylabel(), space.get_zlabel()) == ("x [units]", "y [units]", "z [units]")
+    assert drawing.space_3d(space, corners).get_zlabel() == "z [m]"
+
+
+def test_a_ball_has_its_centre_and_its_radius(views):
+    ball = obstacles.Sphere((1.0, -2.0, 3.0), 0.5)
+    space, _ = views
+    shell = drawing.ball_3d(space, ball, alpha=0.7)
+    bounds = [*space.xy_dataLim.get_points().T, space.zz_dataLim.get_points()[:, 0]]
+    np.testing.assert_allclose(bounds, [[0.5, 1.5], [-2.5, -1.5], [2.5, 3.5]])
+    assert shell.get_alpha() == 0.7
+    recorder = SimpleNamespace(plot_surface=lambda *points, **_: np.stack(points, axis=-1))
+    np.testing.assert_allclose(ball.distance(drawing.ball_3d(recorder, ball)), 0, atol=1e-12)
+
+
+def test_the_line_of_a_screw_is_drawn_about_the_point_asked_for(views):
+    twist = screws.revolute([0, 0.6, 0.8], [1, 2, 3])
+    line = drawing.screw_3d(views[0], twist, half=2, middle=5, color="red")
+    ends = np.transpose(line.get_data_3d())
+    assert line.get_color() == "red"
+    axis = np.array([0, 0.6, 0.8])
+    foot = np.array([1, 2, 3]) - axis * (axis @ [1, 2, 3])  # the point of the line that is nearest to the origin
+    np.testing.assert_allclose(ends, [foot + 3 * axis, foot + 7 * axis], atol=1e-12)
+
+
+def test_a_tree_is_drawn_edge_by_edge_in_degrees(views):
+    q = np.deg2rad([[0, 0, 5], [10, 0, 6], [10, 20, 7]])
+    line = drawing.tree_2d(views[1], planner.Tree(q, np.array([-1, 0, 0]), np.zeros(3)), (0, 2), color="red")
+    nan = np.nan
+    np.testing.assert_allclose(line.get_data(), [[10, 0, nan, 10, 0, nan], [6, 5, nan, 7, 5, nan]])
+    assert line.get_color() == "red"
+
+
+def test_the_determinant_map_is_that_of_the_wrist_with_its_zero_lines(views):
+    geometry = arm.Geometry(0.1, 0.3, 0.2, 0.15)
+    shading = drawing.determinant_map(views[1], geometry, samples=7)
+    values = np.reshape(shading.get_array(), (7, 7))
+    for row, bend in ((1, -120), (4, 60)):  # of seven
+        q = np.deg2rad([0, 60, bend, 0, 0])  # column 4
+        J = arm.jacobian(q, arm.Geometry(0.1, 0.3, 0.2, 0))[:3, :3]
+        np.testing.assert_allclose(values[row, 4], np.linalg.det(J), atol=1e-6)
+    assert values[4, 4] < -1e-3 < 1e-3 < values[1, 4]
+    assert sorted({line.get_ydata()[0] for line in views[1].lines}) == [-180, 0, 180]
+    drawing.determinant_map(views[1], geometry)
+    curves = views[1].collections[-1]
+    theta_2, theta_3 = np.deg2rad(np.concatenate([path.vertices for path in curves.get_paths()]).T)
+    assert len(theta_2) > 100
+    np.testing.assert_allclose(0.3 * np.cos(theta_2) + 0.2 * np.cos(theta_2 + theta_3), 0, atol=1e-3)

@@ -1,15 +1,13 @@
-"""Every error class of the package: by a call that gets it, or by the notebook whose own functions raise it."""
+"""Every error class of the package, by a call that gets it."""
 
 import inspect
 from collections.abc import Callable
 
-import nbformat
 import numpy as np
 import pytest
 
 from lynx_common import arm, errors, motion, planner, rrr, screws
 from lynx_common.course import exercises, report
-from lynx_common.course.execute import NOTEBOOKS
 from lynx_common.errors import LynxError
 
 NEAR, FAR = np.array([[0, 0.3, 0.3, 0, 0], [0, 0.9, 0.3, 0, 0]])  # task coordinates
@@ -53,12 +51,6 @@ CALLS: dict[type[LynxError], Callable] = {
     errors.NotFreeError: lambda: got(lambda: planner.plan(lambda q: q[:, 0] < 0, *PROBLEM)).cause,
 }
 
-# What the functions of a notebook raise: the notebook, and a sentence that it shows.
-IN_NOTEBOOKS = {
-    errors.MarginError: ("Part3_singularity_avoidance", "A smallest singular value of 8.00 cannot be kept"),
-    errors.SingularError: ("Part3_singularity_avoidance", "Too near to a singularity (shoulder)"),
-}
-
 
 def got(call: Callable) -> LynxError:
     """The error that a call raises, or hands back."""
@@ -70,7 +62,7 @@ def got(call: Callable) -> LynxError:
 
 def test_no_error_is_missing_here():
     classes = {c for _, c in inspect.getmembers(errors, inspect.isclass) if issubclass(c, LynxError)}
-    assert classes - {LynxError} == CALLS.keys() | IN_NOTEBOOKS.keys()
+    assert classes - {LynxError} == CALLS.keys()
 
 
 @pytest.mark.parametrize("kind", CALLS, ids=lambda kind: kind.__name__)
@@ -83,11 +75,3 @@ def test_a_call_gets_this_error_with_its_facts_in_a_sentence(kind):
     assert facts or kind is errors.InputError
     numbers = [value for value in facts.values() if isinstance(value, int | float)]
     assert np.isfinite(numbers).all()
-
-
-@pytest.mark.parametrize("kind", IN_NOTEBOOKS, ids=lambda kind: kind.__name__)
-def test_a_notebook_raises_this_error_and_shows_its_sentence(kind):
-    name, sentence = IN_NOTEBOOKS[kind]
-    cells = [c for c in nbformat.read(NOTEBOOKS / f"{name}.ipynb", 4).cells if c.cell_type == "code"]
-    assert any(f"raise {kind.__name__}(" in cell.source for cell in cells)
-    assert sentence in "".join(str(output.get("data", "")) for cell in cells for output in cell.outputs)

@@ -17,6 +17,7 @@ from .arm import (
 )
 from .region import cloud, region_2d, region_path, squares
 from .rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
+from .scene import ball_3d, determinant_map, screw_3d, tree_2d
 from .schema import dh_schema, link_schema, triangle_schema, wrist_schema
 from .style import COLOURS, space_3d, two_views, use_style
 
@@ -26,7 +27,9 @@ __all__ = [
     "arm_side_view",
     "arm_top_view",
     "arm_views",
+    "ball_3d",
     "cloud",
+    "determinant_map",
     "dh_schema",
     "frames_3d",
     "frames_side_view",
@@ -40,9 +43,11 @@ __all__ = [
     "region_path",
     "rrr_2d",
     "rrr_outline",
+    "screw_3d",
     "space_3d",
     "squares",
     "target",
+    "tree_2d",
     "triangle_schema",
     "two_views",
     "use_style",

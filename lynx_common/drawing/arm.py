@@ -23,23 +23,25 @@ JOINT_LABELS = {
 }
 
 
-def arm_3d(ax: Axes3D, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
+def arm_3d(
+    ax: Axes3D, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, with_gripper: bool = True, **style
+) -> list[Line2D]:
     """Links and gripper for joint angles ``q``, (5,) radians; returns the lines, for ``move``."""
-    return _draw(ax, *_polylines(q, geometry), style)
+    return _draw(ax, _polylines(q, geometry)[: 1 + with_gripper], style)
 
 
-def arm_side_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
+def arm_side_view(
+    ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, with_gripper: bool = True, **style
+) -> list[Line2D]:
     """The same, seen square to the arm's own plane: distance along the arm's azimuth, and height, in metres."""
-    links, fork = (_in_plane(points, q) for points in _polylines(q, geometry))
     ax.set(xlabel="r, from the base axis [m]", ylabel="z [m]", aspect="equal")
-    return _draw(ax, links, fork, style)
+    return _draw(ax, [_in_plane(points, q) for points in _polylines(q, geometry)[: 1 + with_gripper]], style)
 
 
 def arm_top_view(ax: Axes, q: np.ndarray, geometry: arm.Geometry = arm.LYNX, **style) -> list[Line2D]:
     """The same, seen from above."""
-    links, fork = _polylines(q, geometry)
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-    return _draw(ax, links[:, :2], fork[:, :2], style)
+    return _draw(ax, [points[:, :2] for points in _polylines(q, geometry)], style)
 
 
 def arm_views(
@@ -130,10 +132,12 @@ def _polylines(q: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
     ]
 
 
-def _draw(ax: Axes, links: np.ndarray, fork: np.ndarray, style: dict) -> list[Line2D]:
+def _draw(ax: Axes, polylines: list[np.ndarray], style: dict) -> list[Line2D]:
+    """The links, and the fork of the gripper if it is there."""
+    links, *fork = polylines
     style = {"color": COLOURS["link"], "linewidth": 4, "markersize": 7} | style
     of_fork = style | {"linewidth": 0.625 * style["linewidth"], "label": None}
-    return [*ax.plot(*links.T, "o-", **style), *ax.plot(*fork.T, "-", **of_fork)]
+    return [*ax.plot(*links.T, "o-", **style), *(ax.plot(*points.T, "-", **of_fork)[0] for points in fork)]
 
 
 def _axes_polylines(T: np.ndarray, length: float) -> list[np.ndarray]:

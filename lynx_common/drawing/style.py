@@ -46,18 +46,18 @@ def two_views(width: float = 10, height: float = 4.6) -> tuple[Figure, Axes3D, A
     return fig, fig.add_subplot(1, 2, 1, projection="3d"), fig.add_subplot(1, 2, 2)
 
 
-def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60, zoom: float = 1) -> Axes3D:
-    """A 3-D view with equal scales that holds ``points``, (..., 3) metres, and the floor below them.
+def space_3d(ax: Axes3D, points: np.ndarray, azimuth: float = -60, zoom: float = 1, unit: str = "m") -> Axes3D:
+    """A 3-D view with equal scales that holds ``points``, (..., 3), and the floor below them.
 
-    ``azimuth`` is the direction from which it is seen, in degrees from x. A ``zoom`` above 1 fills more of the
-    axes; the labels beside them then need room.
+    ``azimuth`` is the direction from which it is seen, in degrees from x; ``unit`` that of the lengths. A ``zoom``
+    above 1 fills more of the axes; the labels beside them then need room.
     """
     points = points.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)
     pad = 0.1 * (high - low).max() * np.array([1, 1, 0])
     low, high = np.minimum(low - pad, [np.inf, np.inf, 0]), high + pad
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
+    ax.set(xlabel=f"x [{unit}]", ylabel=f"y [{unit}]", zlabel=f"z [{unit}]")
     ax.set_box_aspect(high - low, zoom=zoom)
     ax.view_init(elev=22, azim=azimuth)
     ax.locator_params(nbins=4)

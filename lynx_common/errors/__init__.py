@@ -9,11 +9,9 @@ from .motion import (
     CollisionError,
     EndpointError,
     JumpError,
-    MarginError,
     NoPathError,
     NotFreeError,
     PathError,
-    SingularError,
 )
 from .parallel import AssemblyError, NoPoseError, SelfMotionError
 
@@ -27,7 +25,6 @@ __all__ = [
     "JumpError",
     "LedgerError",
     "LynxError",
-    "MarginError",
     "NoPathError",
     "NoPoseError",
     "NotAchievableError",
@@ -36,6 +33,5 @@ __all__ = [
     "PathError",
     "ScrewError",
     "SelfMotionError",
-    "SingularError",
     "UnknownNameError",
 ]

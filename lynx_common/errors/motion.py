@@ -64,26 +64,3 @@ class NoPathError(LynxError):
             f"of the {postures} posture{'s' * (postures > 1)} reached, the nearest to the goal is "
             f"{degrees(distance):.2f} deg away from it. A larger budget may find one."
         )
-
-
-class MarginError(LynxError):
-    """A smallest singular value that is ``asked`` for where (``where``) no more than ``best`` is possible."""
-
-    def __init__(self, asked: float, best: float, where: str):
-        self.asked, self.best, self.where = asked, best, where
-        super().__init__(
-            f"A smallest singular value of {asked:.2f} cannot be kept: {where} allows {best:.2f} at most."
-        )
-
-
-class SingularError(LynxError):
-    """A place too near to a singularity: its smallest singular ``value`` is below what is ``asked``, because of
-    ``factors`` (their names); ``nearest`` is the nearest place (x, y, z) that keeps it."""
-
-    def __init__(self, factors: Sequence[str], value: float, asked: float, nearest: Sequence[float]):
-        self.factors, self.value, self.asked, self.nearest = tuple(factors), value, asked, tuple(nearest)
-        place = ", ".join(f"{x:.2f}" for x in nearest)
-        super().__init__(
-            f"Too near to a singularity ({' and '.join(factors)}): smallest singular value {value:.2f}, where "
-            f"{asked:.2f} is asked for. The nearest place that has it is ({place})."
-        )

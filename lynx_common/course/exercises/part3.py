@@ -1,4 +1,4 @@
-"""Exercises of Part 3: ranks, the largest determinant, a wrist of three axes, what a structure carries."""
+"""Exercises of Part 3: two ranks, an order of postures, a wrist of three axes, what a structure carries."""
 
 from collections.abc import Callable
 
@@ -6,26 +6,15 @@ import numpy as np
 
 from .exercise import TOLERANCE, Exercise, numbers
 
-# P3.1: five postures (theta_2, theta_3) in degrees, of an arm with two equal links.
-POSTURES_DEG = np.array([[30, 0], [45, 90], [90, 0], [0, 180], [0, 60]])
+# P3.1: five postures (theta_2, theta_3) in degrees; ranks of the position's Jacobian, and of the whole one.
+RANKS = np.array([[2, 2, 1, 1, 3], [3, 4, 3, 3, 4]], float)
+ON_THE_AXIS = 1  # of the five: only its position is singular
 
-
-def _position_jacobian(theta_2: float, theta_3: float) -> np.ndarray:
-    """For theta_1 = 0 and links of length 10; rows x, y, z."""
-    s_2, c_2 = 10 * np.sin(theta_2), 10 * np.cos(theta_2)
-    s_23, c_23 = 10 * np.sin(theta_2 + theta_3), 10 * np.cos(theta_2 + theta_3)
-    return np.array([[0, -s_2 - s_23, -s_23], [c_2 + c_23, 0, 0], [0, c_2 + c_23, c_23]])
-
-
-RANKS = np.array(
-    [np.linalg.matrix_rank(_position_jacobian(*q), tol=1e-9) for q in np.deg2rad(POSTURES_DEG)], float
-)
-WHOLE_RANKS = np.array([3, 4, 3, 3, 4], float)
-ONE_FOR_ANY = np.array([2, 2, 2, 2, 3], float)
-
-# P3.2: sin(theta_3) cos(theta_3 / 2) is largest where sin(theta_3 / 2)^2 = 1/3.
-BEND = 2 * float(np.arcsin(1 / np.sqrt(3)))
-ROUNDEST = 2 * np.pi / 3  # where the smallest singular value of shoulder and elbow is largest
+# P3.2: four postures, and what their order would be by other measures.
+NEAREST_FIRST = np.array([3, 2, 1, 4], float)  # smallest singular values 5.08, 4.23, 1.55 and 7.07
+BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4], float)  # determinants -1534, 366, -633 and 750
+BY_MAGNITUDE = np.array([2, 3, 4, 1], float)
+BY_SHOULDER = np.array([2, 4, 1, 3], float)  # |r| is 16.32, 4.23, 18.51 and 8.66
 
 # P3.3: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
 LEAST = 0.6
@@ -36,7 +25,7 @@ def _near(value: float, tolerance: float = 5 * TOLERANCE) -> Callable[[float], b
     return lambda x: bool(abs(x - value) <= tolerance)
 
 
-def _is(expected: np.ndarray) -> Callable[[np.ndarray], bool]:
+def _is(expected: np.ndarray | list) -> Callable[[np.ndarray], bool]:
     return lambda x: bool((x == expected).all())
 
 
@@ -52,54 +41,87 @@ def _holds(*places: int) -> Callable[[np.ndarray], bool]:
 
 EXERCISES = {
     "P3.1": Exercise(
-        read=numbers((5,)),
+        read=numbers((2, 5)),
         right=_is(RANKS),
         misconceptions=(
+            (_is(RANKS[::-1]), "the rows are exchanged: the position's Jacobian comes first."),
+            (_is([[3], [4]] - RANKS), "these are the directions lost; the ranks count those that are left."),
             (
-                _is(ONE_FOR_ANY),
-                "where both factors of the determinant vanish, more than one direction may be lost.",
+                lambda x: x[1, ON_THE_AXIS] < RANKS[1, ON_THE_AXIS],
+                "position-singular is taken for singular: in posture 2 the base cannot move the end, which is on "
+                "its axis, but it still turns it.",
             ),
-            (_is(WHOLE_RANKS), "these are ranks of the whole Jacobian; the position part is asked for."),
-            (_is(3 - RANKS), "these are the directions lost; the rank counts those that are left."),
+            (
+                lambda x: x[0, ON_THE_AXIS] > RANKS[0, ON_THE_AXIS],
+                "a regular arm is taken for a regular position: in posture 2 the whole Jacobian has full rank, "
+                "but the base only turns the end, and does not move it.",
+            ),
+            (
+                lambda x: bool((x[0] == [2, 2, 2, 2, 3]).all()),
+                "where both factors of the determinant vanish, the position may lose more than one direction.",
+            ),
         ),
         describe=lambda x: (
             "look again at posture "
-            + ", ".join(str(i + 1) for i in np.flatnonzero(x != RANKS))
-            + "; which of the two factors vanish there?"
+            + ", ".join(str(i + 1) for i in np.flatnonzero((x != RANKS).any(axis=0)))
+            + "; which of the two factors vanish there, and which of them is one of the whole Jacobian?"
         ),
         hints=(
             "Evaluate sin(theta_3) and r = cos(theta_2) + cos(theta_2 + theta_3) for each posture.",
-            "Where both vanish, write down the three columns: which of them are zero, and which are parallel?",
+            "For the position: where both vanish, which columns are zero, and which are parallel? For the whole: "
+            "sections 4 and 5 name the only factor that makes the four screws dependent.",
         ),
-        explanation="At (30°, 0°) only the elbow factor vanishes, at (45°, 90°) only $r$: rank 2. At (90°, 0°) "
-        "the arm is stretched upright: the first column is zero, since $r = 0$, and the other two are parallel: "
-        "rank 1. At (0°, 180°) the end is in the shoulder, where $\\theta_1$ and $\\theta_2$ do not move it: 1. "
-        "(0°, 60°) is regular: 3.",
+        explanation="At (30°, 0°) only the elbow factor vanishes, at (45°, 90°) only $r$: the position has rank "
+        "2. At (90°, 0°) the arm is stretched upright: the first column is zero, since $r = 0$, and the other two "
+        "are parallel: 1. At (0°, 180°) the end is in the shoulder, and $\\theta_1$ and $\\theta_2$ do not move "
+        "it: 1. (0°, 60°) is regular: 3. The whole Jacobian has rank 3 where $\\sin\\theta_3 = 0$ and else 4: at "
+        "(45°, 90°) the position is singular, and the arm is not.",
         code="postures = np.zeros((5, 5))\n"
         "postures[:, 1:3] = np.deg2rad([[30, 0], [45, 90], [90, 0], [0, 180], [0, 60]])\n"
-        "J_p = arm.jacobian(postures, arm.Geometry(5, 10, 10, 0))[:, :3, :3]\n"
-        "answer_1 = np.linalg.matrix_rank(J_p, tol=1e-9)",
+        "whole_J = arm.jacobian(postures, arm.Geometry(5, 10, 10, 0))[..., :4]\n"
+        "answer_1 = [np.linalg.matrix_rank(M, tol=1e-9) for M in (whole_J[:, :3, :3], whole_J)]",
     ),
     "P3.2": Exercise(
-        read=numbers(()),
-        right=_near(BEND),
+        read=numbers((4,)),
+        right=_is(NEAREST_FIRST),
         misconceptions=(
-            (_near(float(np.rad2deg(BEND)), 0.05), "this is right in degrees; radians are expected."),
-            (_near(np.pi / 2), "there sin(theta_3) is largest, but the arm's reach shrinks as it bends."),
-            (_near(ROUNDEST), "there the smallest singular value is largest; the determinant is not."),
-            (_near(-BEND), "this is right for the other elbow; the positive angle is expected."),
-            (_near(BEND / 2), "this is half of it: theta_3 / 2."),
+            (_is(NEAREST_FIRST[::-1]), "this is the right order, backwards: the nearest comes first."),
+            (_is(NEAREST_FIRST - 1), "the postures are counted from 1."),
+            (
+                lambda x: _is(BY_SIGNED_DETERMINANT)(x) or _is(BY_SIGNED_DETERMINANT[::-1])(x),
+                "the sign of the determinant is taken for its size: the sign only tells on which side of a "
+                "singularity the arm is, not how near.",
+            ),
+            (
+                lambda x: _is(BY_MAGNITUDE)(x) or _is(BY_MAGNITUDE[::-1])(x),
+                "this is the order of the determinant's magnitude, which is a product: one factor may be small "
+                "beside large ones.",
+            ),
+            (
+                _is(BY_SHOULDER),
+                "this is the order of the shoulder's value |r|; the elbow may have the smaller one.",
+            ),
+            (
+                lambda x: sorted(x) != [1, 2, 3, 4],
+                "each of the numbers 1 to 4 is expected once.",
+            ),
         ),
-        describe=lambda x: f"this is {abs(x - BEND):.4f} rad too {'much' if x > BEND else 'little'}.",
+        describe=lambda x: (
+            f"posture {x[0]:.0f} is not the nearest."
+            if x[0] != NEAREST_FIRST[0]
+            else "the nearest is right; look again at the other three."
+        ),
         hints=(
-            "For a given theta_3, which theta_2 makes r largest? Then r is the distance from shoulder to end.",
-            "That distance is 2 L cos(theta_3 / 2). Maximise sin(theta_3) cos(theta_3 / 2).",
+            "Which of the three singular values says how far the worst direction is from being lost?",
+            "`sigma_min` of section 3 takes postures (..., 3), in radians.",
         ),
-        explanation="With the end level with the shoulder, $r = 2 L \\cos\\frac{\\theta_3}{2}$, and "
-        "$|\\det| = 2 L^3 \\sin\\theta_3 \\cos\\frac{\\theta_3}{2} = 4 L^3 s (1 - s^2)$ with "
-        "$s = \\sin\\frac{\\theta_3}{2}$. Its derivative $1 - 3 s^2$ is zero at "
-        "$s = 1/\\sqrt 3$: $\\theta_3 = 1.2310$ rad, 70.5°.",
-        code="answer_2 = 2 * np.arcsin(1 / np.sqrt(3))",
+        explanation="The smallest singular values are 5.08, 4.23, 1.55 and 7.07 units per rad. The determinants "
+        "are $-1534$, $366$, $-633$ and $750$: neither by sign nor by magnitude do they give this order. Posture "
+        "3 is nearly straight, and yet posture 2 has the smaller determinant.",
+        code="postures = np.zeros((4, 5))\n"
+        "postures[:, 1:3] = np.deg2rad([[-30, 70], [125, -120], [10, 20], [90, -120]])\n"
+        "J_p = arm.jacobian(postures, arm.Geometry(5, 10, 10, 0))[..., :3, :3]\n"
+        "answer_2 = np.argsort(np.linalg.svd(J_p, compute_uv=False)[:, -1]) + 1",
     ),
     "P3.3": Exercise(
         read=numbers(()),
@@ -108,7 +130,7 @@ EXERCISES = {
             (_near(float(np.rad2deg(LEAN)), 0.05), "this is right in degrees; radians are expected."),
             (
                 _near(float(np.arcsin(LEAST))),
-                "this makes the determinant 0.6; it is not the smallest singular value.",
+                "this makes the determinant 0.6; its size is not the smallest singular value.",
             ),
             (
                 _near(float(np.arccos(1 - LEAST))),
@@ -136,10 +158,10 @@ EXERCISES = {
         right=_carried,
         misconceptions=(
             (_holds(2), "the slide can move along z, so its motor has to hold a force along z."),
-            (_holds(5), "the arm can turn its tool about z, so a motor has to hold a moment about z."),
+            (_holds(5), "the arm can turn its gripper about z, so a motor has to hold a moment about z."),
             (
                 _holds(0, 1),
-                "the arm can move its tool level, so motors have to hold a level force. Or did you write the "
+                "the arm can move its gripper level, so motors have to hold a level force. Or did you write the "
                 "moment first? The force comes first.",
             ),
         ),
@@ -148,10 +170,10 @@ EXERCISES = {
             "Which motions can the four joints make together? Three parallel axes make a plane motion.",
             "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z.",
         ),
-        explanation="Three vertical axes move the tool in the level plane and turn it about the vertical; the "
+        explanation="Three vertical axes move the gripper in the level plane and turn it about the vertical; the "
         "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and "
         "$f \\cdot v + m \\cdot \\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are "
-        "couples about level axes, $(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the tool over.",
+        "couples about level axes, $(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the gripper over.",
         code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
         "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
         "answer_4 = screws.reciprocal_system(twists)[:, 0]",

@@ -12,7 +12,6 @@ from .panel import beside, over_a_background, picture_frame, slider
 
 PART_3 = arm.Geometry(5, 10, 10, 0)
 HOME_DEG = (30, -80)
-SAMPLES = 121  # of the map, each way
 SPEED = 0.3  # joint speed, in rad/s, whose velocities of the wrist are drawn
 AT_FACTOR = 1e-9  # below this, relative to the links, a factor of the determinant counts as zero
 ROUND = np.linspace(0, 2 * np.pi, 61)
@@ -50,11 +49,10 @@ def _views(geometry: arm.Geometry) -> Callable[[np.ndarray, np.ndarray], bytes]:
     d_1, *links = geometry
     reach = 1.2 * sum(links)
     fig, (chart, plane) = plt.subplots(1, 2, figsize=(8, 4), layout="constrained")
-    _map(chart, geometry)
+    drawing.determinant_map(chart, geometry)
     (here,) = chart.plot(0, 0, "o", color=drawing.COLOURS["target"], markeredgecolor="black", markersize=11)
     home = np.zeros(5)
-    shape, fork = drawing.arm_side_view(plane, home, geometry)
-    fork.remove()
+    (shape,) = drawing.arm_side_view(plane, home, geometry, with_gripper=False)
     (ellipse,) = plane.plot(0, 0, color=drawing.COLOURS["target"], linewidth=2.5)
     for radius in (sum(links), abs(links[0] - links[1])):
         plane.add_patch(plt.Circle((0, d_1), radius, fill=False, color=drawing.COLOURS["z"]))
@@ -71,19 +69,6 @@ def _views(geometry: arm.Geometry) -> Callable[[np.ndarray, np.ndarray], bytes]:
         return redraw()
 
     return picture
-
-
-def _map(ax: plt.Axes, geometry: arm.Geometry) -> None:
-    """The determinant over both angles, and the lines on which a factor of it vanishes."""
-    angles = np.linspace(-1, 1, SAMPLES) * (np.pi - 1e-6)  # fully folded, r may be 0 for every theta_2
-    grid = np.stack(np.meshgrid(angles, angles), axis=-1)
-    J, degrees = _jacobian(grid, geometry), np.rad2deg(angles)
-    ax.pcolormesh(degrees, degrees, np.linalg.det(J), cmap="PuOr", rasterized=True)
-    ax.contour(degrees, degrees, J[..., 2, 1], [0], colors=drawing.COLOURS["x"])  # dz/dtheta_2 is the distance r
-    for bend in (-180, 0, 180):
-        ax.axhline(bend, color=drawing.COLOURS["z"])
-    ticks = range(-180, 181, 90)
-    ax.set(xlabel="θ₂ [deg]", ylabel="θ₃ [deg]", xticks=ticks, yticks=ticks, xlim=(-180, 180), ylim=(-180, 180))
 
 
 def _in_words(J: np.ndarray, geometry: arm.Geometry) -> str:

@@ -8,6 +8,8 @@ from . import a1
 from .item import Item
 
 NOTEBOOK = "Part3_singularity_avoidance"
+INTRODUCTION, METHOD = "3.1, pp. 20-21", "3.2, pp. 21-23"
+RESULTS, DISCUSSION = "3.3, pp. 23-24", "3.4, pp. 24-25"
 theta_1, theta_2, theta_3, theta_4 = ANGLES = Q[:4]
 
 TABLE_3_1 = sp.Matrix([[0, sp.pi / 2, 5, theta_1], [10, 0, 0, theta_2], [10, 0, 0, theta_3], [0, 0, 0, theta_4]])
@@ -36,7 +38,7 @@ def _claim(number: int, where: str, says: str, verdict: str = "holds", because: 
 ITEMS = [
     Item(
         "eq. 3.1",
-        "3.2",
+        METHOD,
         "the transform of one link from its row of Table 3.1",
         sp.Eq(sp.MatrixSymbol("T_i", 4, 4), a1.LINK),
         NOTEBOOK,
@@ -44,7 +46,7 @@ ITEMS = [
     ),
     Item(
         "eq. 3.2",
-        "3.2",
+        METHOD,
         "the velocity (v, omega) of the end for a turn of joint i, from an axis z_i and a point p_i of it",
         sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
         NOTEBOOK,
@@ -54,18 +56,18 @@ ITEMS = [
     ),
     Item(
         "eq. 3.3",
-        "3.2",
+        METHOD,
         "the whole Jacobian, a column for each joint",
         sp.Eq(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
         NOTEBOOK,
         "holds",
         meaning=RATES | AXES,
     ),
-    Item("eq. 3.4", "3.2", "three waypoints; the arm reaches them", WAYPOINTS, NOTEBOOK, "holds", digits=6),
-    Item("Table 3.1", "3.2", "the DH table of a four-joint arm", TABLE_3_1, NOTEBOOK, "holds"),
+    Item("eq. 3.4", METHOD, "three waypoints; the arm reaches them", WAYPOINTS, NOTEBOOK, "holds", digits=6),
+    Item("Table 3.1", METHOD, "the DH table of a four-joint arm", TABLE_3_1, NOTEBOOK, "holds"),
     Item(
         "Fig. 3.1",
-        "3.3",
+        RESULTS,
         "least and largest determinant, for theta_1 all round and the other angles 0",
         np.array([-3.8e-14, 4.0e-14]),
         NOTEBOOK,
@@ -74,71 +76,72 @@ ITEMS = [
         digits=15,
         right=np.zeros(2),
     ),
-    Item("Fig. 3.2", "3.3", "the waypoints, joined by two lines", WAYPOINTS, NOTEBOOK, "holds", digits=0),
+    Item("Fig. 3.2", RESULTS, "the waypoints, joined by two lines", WAYPOINTS, NOTEBOOK, "holds", digits=0),
     _claim(
         1,
-        "3.1",
+        INTRODUCTION,
         "in a singular configuration a robot loses degrees of freedom",
         "wrong: true of arms; the platform of a parallel robot gains one where the legs' wrenches are dependent",
         "where the lines of its distal links meet, the platform can turn a little with all motors locked",
     ),
-    _claim(2, "3.1", "where the determinant is zero, there are directions in which the end cannot move"),
-    _claim(3, "3.2", "the arm has four degrees of freedom"),
+    _claim(2, INTRODUCTION, "where the determinant is zero, there are directions in which the end cannot move"),
+    _claim(3, METHOD, "the arm has four degrees of freedom"),
     _claim(
         4,
-        "3.2",
+        METHOD,
         "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
         "wrong: it is another matrix, whose determinant is zero in every posture",
         "its entries differ from how the end moves when a joint turns a little, by up to 10.54",
     ),
     _claim(
         5,
-        "3.2",
+        METHOD,
         "varying theta_1, with the other angles 0, shows which configurations are singular",
         "wrong: all of these configurations are singular; theta_2 and theta_3 tell which others are",
         "the determinant does not depend on theta_1, and theta_3 = 0 makes it zero",
     ),
     _claim(
         6,
-        "3.3",
+        RESULTS,
         "peaks and troughs of the determinant are the most and the least controllable configurations",
         "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
         "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077",
     ),
     _claim(
         7,
-        "3.3",
+        RESULTS,
         "the trajectory is smooth",
         "wrong: at the second waypoint its direction changes by 50.8 deg",
         "two straight lines that meet at an angle make a corner, where the velocity jumps",
     ),
     _claim(
         8,
-        "3.3",
+        RESULTS,
         "the trajectory avoids singular configurations",
         "wrong: it begins in one, at the shoulder, where the rank is 1",
         "the first waypoint is reached only with theta_3 = 180 deg, where both factors of the determinant vanish",
     ),
     _claim(
         9,
-        "3.3",
+        RESULTS,
         "the plot of the determinant validates the trajectory",
         "wrong: the plot says nothing about the trajectory",
         "the plot is of straight postures, and the trajectory has none",
     ),
     _claim(
         10,
-        "3.4",
+        DISCUSSION,
         "the determinant of the position part may overlook singularities that have to do with orientation",
         "wrong: for this arm it overlooks none, and reports more than there are",
         "it is zero wherever sin(theta_3) is, and also on the base axis, where the four twists stay independent",
     ),
-    _claim(11, "3.4", "the whole Jacobian and a second-order criterion tell more than the determinant"),
+    _claim(11, DISCUSSION, "the whole Jacobian and a second-order criterion tell more than the determinant"),
     _claim(
         12,
-        "3.4",
+        DISCUSSION,
         "the analysis rests on screw theory",
-        "wrong: it takes the upper halves of four screws, and what these say depends on the point of reference",
-        "read at the origin the halves have rank 2, at the end rank 3; the whole screws have rank 4 at both",
+        "wrong: it takes only the upper halves of the screws of joints 2 to 4, dependent in every posture",
+        "the halves are square to one common direction, wherever they are read; the whole screws are dependent "
+        "only where sin(theta_3) is 0",
     ),
 ]

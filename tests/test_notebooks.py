@@ -21,9 +21,9 @@ from lynx_common.course.execute import NOTEBOOKS, ROOT
 from lynx_common.course.kernel import METADATA, execute
 
 SMALL = [
-    "import matplotlib.pyplot as plt\nimport sympy as sp\nfrom ipywidgets import Image",
+    "import matplotlib.pyplot as plt\nfrom IPython.display import Math\nfrom ipywidgets import Image",
     "print(0.2156, 0.373429)",
-    "sp.sqrt(sp.Symbol('x')) / 2",
+    "Math(r'$\\sqrt{x}$')",
     "plt.plot([0, 1], [0, 2], 'o')\nplt.show()",
     "plt.title('no text from this cell');",
     "Image(value=b'', alt='a widget')",

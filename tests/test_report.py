@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 from lynx_common import arm, dh
-from lynx_common.course import execute, exercises, figures, report
+from lynx_common.course import execute, exercises, explorers, figures, report
 from lynx_common.course.report.item import Item, differs
 from lynx_common.errors import InputError, LedgerError, UnknownNameError
 
@@ -57,6 +57,8 @@ def run() -> tuple[dict[str, object], dict[str, str]]:
             exercises, "check", lambda name, answer: said.update({name: exercises.catalogue()[name].judge(answer)})
         )
         patch.setattr(figures, "show", lambda fig, caption: mpl.pyplot.close(fig))
+        for name in explorers.__all__:  # nbval runs these, too, and they take time
+            patch.setattr(explorers, name, lambda *_: None)
         for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
             namespace: dict[str, object] = {}
             for cell in solved(notebook):

@@ -208,6 +208,17 @@ SPOILS = {
 }
 
 
+@pytest.mark.parametrize("path", sorted(NOTEBOOKS.glob("*.ipynb")), ids=lambda path: path.stem)
+def test_a_cell_fits_the_eye_and_links_lead_somewhere(path):
+    notebook = nbformat.read(path, as_version=4)
+    for cell in code_cells(notebook):
+        lines = [line for line in cell.source.splitlines() if line.strip()]
+        assert len(lines) <= 10, cell.id
+        assert max(map(len, lines), default=0) <= 115, cell.id
+    words = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    assert [link for link in re.findall(r"\]\(([^)#:]+)\)", words) if not (NOTEBOOKS / link).exists()] == []
+
+
 def test_a_second_run_changes_no_byte(small):
     assert execute(small).encode() == small.read_bytes()
     assert nbformat.read(small, as_version=4).metadata == METADATA

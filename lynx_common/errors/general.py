@@ -1,8 +1,15 @@
 """What any part of the package can refuse."""
 
+from collections.abc import Iterable
 from difflib import get_close_matches
+from math import degrees
 
 MANY = 30  # known names; of more, only the nearest are said
+
+
+def in_degrees(angles: Iterable[float]) -> str:
+    """Angles in radians as text, in degrees to two decimals."""
+    return ", ".join(f"{degrees(angle):.2f}" for angle in angles)
 
 
 class LynxError(Exception):

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import degrees
 
-from .general import LynxError
+from .general import LynxError, in_degrees
 
 
 class JumpError(LynxError):
@@ -50,8 +50,7 @@ class NotFreeError(LynxError):
 
     def __init__(self, q: Sequence[float]):
         self.q = q
-        angles = ", ".join(f"{degrees(angle):.2f}" for angle in q)
-        super().__init__(f"The posture ({angles}) deg is not free.")
+        super().__init__(f"The posture ({in_degrees(q)}) deg is not free.")
 
 
 class NoPathError(LynxError):

@@ -1,8 +1,6 @@
 """What the 3-RRR robot cannot do."""
 
-from math import degrees
-
-from .general import LynxError
+from .general import LynxError, in_degrees
 
 
 class AssemblyError(LynxError):
@@ -22,8 +20,9 @@ class NoPoseError(LynxError):
 
     def __init__(self, theta: list[float]):
         self.theta = theta
-        angles = ", ".join(f"{degrees(angle):.2f}" for angle in theta)
-        super().__init__(f"With the motors at {angles} deg there is no pose of the platform that all legs reach.")
+        super().__init__(
+            f"With the motors at {in_degrees(theta)} deg there is no pose of the platform that all legs reach."
+        )
 
 
 class SelfMotionError(LynxError):
@@ -31,7 +30,7 @@ class SelfMotionError(LynxError):
 
     def __init__(self, theta: list[float]):
         self.theta = theta
-        angles = ", ".join(f"{degrees(angle):.2f}" for angle in theta)
         super().__init__(
-            f"With the motors locked at {angles} deg the platform can still move: they do not fix its pose."
+            f"With the motors locked at {in_degrees(theta)} deg the platform can still move: "
+            "they do not fix its pose."
         )

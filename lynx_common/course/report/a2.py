@@ -37,14 +37,14 @@ ITEMS = [
     _claim(
         3,
         "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
-        "wrong: they have 20,566 different points in the arm's plane, and 5,880,332 in space, which take 141 MB",
+        "wrong: only 20,566 of them differ in the arm's plane, and 5,880,332 in space, which take 141 MB",
         "theta_4 only repeats each point 361 times, and theta_1 only turns the arm's plane",
     ),
     _claim(4, "the workspace of the wrist is like a spherical shell"),
     _claim(
         5,
         "the wrist cannot reach the position directly above or below the base",
-        "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from -0.18 to -0.30 m below",
+        "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from 0.18 to 0.30 m below",
         "with theta_3 = 0 it is above the base at theta_2 = 90 deg, and below it at theta_2 = -90 deg",
     ),
     _claim(

@@ -49,7 +49,7 @@ ITEMS = [
         2,
         "the orientation error may come from the ranges of the joints or from the mechanics",
         "wrong: it comes from (1.10) and (1.11)",
-        "with these two mended, the same first three angles leave no error of orientation",
+        "with (1.10) and (1.11) mended, the same first three angles leave no error of orientation",
     ),
     _claim(
         3,

@@ -53,6 +53,6 @@ ITEMS = [
         6,
         "the parameters of a spline around the obstacle are hard to adjust",
         "wrong: here, with both ends equally far from the centre, one height will do, and the clearance gives it",
-        "with that height, 3.86 cm, a sine and a parabola both keep the 0.18 m asked for",
+        "with a bump 3.86 cm high, a sine and a parabola both keep the 0.18 m asked for",
     ),
 ]

@@ -17,7 +17,7 @@ S_A, L, r_platform, *_ = DESIGN
 x_PP, y_PP, x_PB, y_PB, theta, psi, t = sp.symbols("x_PP y_PP x_PB y_PB theta psi t", real=True)
 e_1, e_2, e_3, i, sign = sp.symbols("e_1 e_2 e_3 i sign", real=True)
 C, R = sp.Matrix([X_c, Y_c]), sp.Matrix([[cos(alpha), -sin(alpha)], [sin(alpha), cos(alpha)]])
-R_BC = sp.MatrixSymbol("R_BC", 2, 2)
+R_BC = sp.MatrixSymbol("R", 2, 2)
 
 CORNER = 2 * pi * (i - 1) / 3  # of the platform, by (2.1)
 E = {e_1: -2 * y_PP * S_A, e_2: -2 * x_PP * S_A, e_3: x_PP**2 + y_PP**2 + S_A**2 - L**2}

@@ -91,7 +91,7 @@ ITEMS = [
         METHOD,
         "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
         "wrong: it is another matrix, whose determinant is zero in every posture",
-        "its entries differ from how the end moves when a joint turns a little, by up to 10.54",
+        "its entries differ from how the end moves when a joint turns a little, by up to 10.54 units per rad",
     ),
     _claim(
         5,
@@ -105,7 +105,7 @@ ITEMS = [
         RESULTS,
         "peaks and troughs of the determinant are the most and the least controllable configurations",
         "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
-        "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077",
+        "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077 units per rad",
     ),
     _claim(
         7,

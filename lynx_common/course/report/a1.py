@@ -4,7 +4,7 @@ import numpy as np
 import sympy as sp
 
 from ...symbolic import ROW, P, Q
-from .item import Item
+from .item import Item, equation
 
 NOTEBOOK = "A1_forward_kinematics"
 a, alpha, d, theta = ROW
@@ -52,7 +52,7 @@ ITEMS = [
         key="eq. 1.1",
         where="1.1, p. 3",
         says="the transform of one link from its row of the distal table",
-        printed=sp.Eq(sp.MatrixSymbol("T_{n-1,n}", 4, 4), LINK),
+        printed=equation(sp.MatrixSymbol("T_{n-1,n}", 4, 4), LINK),
         notebook=NOTEBOOK,
         verdict="holds",
     ),
@@ -60,7 +60,7 @@ ITEMS = [
         key="eq. 1.2",
         where="1.1, p. 3",
         says="the gripper's pose is the product of the five link transforms",
-        printed=sp.Eq(T_0_5, sp.MatMul(*LINKS)),
+        printed=equation(T_0_5, sp.MatMul(*LINKS)),
         meaning={T: LINK.subs(dict(zip(ROW, DISTAL.row(i), strict=True))) for i, T in enumerate(LINKS)},
         notebook=NOTEBOOK,
         verdict="holds",

@@ -9,7 +9,7 @@ from sympy import acos, atan, atan2, cos, pi, sin, sqrt
 from ...symbolic import TASK, WRIST, P, Q
 from . import a1, a3_results
 from .a3_results import NOTEBOOK
-from .item import Item
+from .item import Item, equation
 
 theta_1, theta_2, theta_3, theta_4, theta_5 = Q
 d_1, L_1, L_2, L_3 = P
@@ -52,7 +52,7 @@ ITEMS = [
     _item(
         3,
         "the azimuth of the base",
-        sp.Eq(theta_1, atan(y / x)),
+        equation(theta_1, atan(y / x)),
         "wrong: it has to be the azimuth of the target, atan2(y, x)",
         "the r of (1.4) is never negative, and for a target at (-0.3, 0.2) m this is -33.7 instead of 146.3 deg",
         right=atan2(y, x),
@@ -60,37 +60,37 @@ ITEMS = [
     _item(
         4,
         "what the triangle of the links has to span: distance and height of the target",
-        sp.Eq(sp.Matrix([r_wrist, h]), sp.Matrix([r, z - d_1])),
+        equation(sp.Matrix([r_wrist, h]), sp.Matrix([r, z - d_1])),
         "holds, if L_3 = 0; else the wrist is to be taken, which is L_3 short of the target",
         "the triangle of upper arm and forearm ends at the wrist, and the gripper is L_3 beyond it",
         condition={L_3: sp.Integer(0)},
     ),
-    _item(5, "the law of cosines for the elbow", sp.Eq(D, COSINE)),
+    _item(5, "the law of cosines for the elbow", equation(D, COSINE)),
     _item(
         6,
         "the elbow's angle",
-        sp.Eq(theta_3, atan2(sqrt(1 - D**2), D)),
+        equation(theta_3, atan2(sqrt(1 - D**2), D)),
         ONE_ELBOW,
         NO_SIGN,
         condition={sigma: sp.Integer(1)},
     ),
-    _item(7, "the shoulder's angle", sp.Eq(theta_2, atan2(h, r_wrist) - atan2(ACROSS, ALONG))),
+    _item(7, "the shoulder's angle", equation(theta_2, atan2(h, r_wrist) - atan2(ACROSS, ALONG))),
     _item(
         8,
         "the orientation of the forearm",
-        sp.Eq(R_wrist, sp.MatMul(T_1, T_2, T_3)),
+        equation(R_wrist, sp.MatMul(T_1, T_2, T_3)),
         meaning=dict(zip((T_1, T_2, T_3), LINKS, strict=False)),
     ),
     _item(
         9,
         "what remains for the wrist to do",
-        sp.Eq(sp.MatrixSymbol("R_remaining", 3, 3), sp.MatMul(R_wrist.T, R_target)),
+        equation(sp.MatrixSymbol("R_remaining", 3, 3), sp.MatMul(R_wrist.T, R_target)),
         meaning={R_wrist: TO_THE_WRIST, R_target: TO_THE_GRIPPER},
     ),
     _item(
         10,
         "theta_4 from what remains",
-        sp.Eq(theta_4, atan(R_23 / R_13)),
+        equation(theta_4, atan(R_23 / R_13)),
         "wrong: it is atan2(R_13, -R_23)",
         "R_13 is sin(theta_4) and R_23 is -cos(theta_4): the entries are swapped, and a sign is lost",
         right=atan2(R_13, -R_23),
@@ -98,7 +98,7 @@ ITEMS = [
     _item(
         11,
         "theta_5 from what remains",
-        sp.Eq(theta_5, atan2(sqrt(R_13**2 + R_23**2), R_33)),
+        equation(theta_5, atan2(sqrt(R_13**2 + R_23**2), R_33)),
         "wrong: it is atan2(R_31, R_32)",
         "R_33 is 0 and the root is 1 for every orientation the arm can take, so it is always 90 deg",
         right=atan2(R_31, R_32),
@@ -106,7 +106,7 @@ ITEMS = [
     _item(
         12,
         "the gripper's pitch",
-        sp.Eq(pitch, theta_2 + theta_3 + theta_4),
+        equation(pitch, theta_2 + theta_3 + theta_4),
         IF_TABLE_1_1,
         LOWER,
         condition=TABLE_1_1,
@@ -114,7 +114,7 @@ ITEMS = [
     _item(
         13,
         "the gripper's pose for a pitch, x along the gripper",
-        sp.Eq(sp.MatrixSymbol("T", 4, 4), UPRIGHT),
+        equation(sp.MatrixSymbol("T", 4, 4), UPRIGHT),
         "wrong: its turn is one by theta_1 about z, times one by minus the pitch about y",
         "it leaves out theta_1, and for a positive pitch it points down, where (1.16) has it point up",
         right=IN_THE_PLANE,
@@ -122,7 +122,7 @@ ITEMS = [
     _item(
         14,
         "the azimuth of the base",
-        sp.Eq(theta_1, atan(y / x)),
+        equation(theta_1, atan(y / x)),
         ONE_AZIMUTH,
         "at x = 0 it divides by zero, and angles 180 deg apart have the same tangent",
         condition={k: sp.Integer(0)},
@@ -138,7 +138,7 @@ ITEMS = [
     _item(
         16,
         "height of the gripper over the shoulder, as a sum of three links",
-        sp.Eq(z - d_1, WRIST_UP + L_3 * sin(gripper)),
+        equation(z - d_1, WRIST_UP + L_3 * sin(gripper)),
         IF_TABLE_1_1,
         LOWER,
         condition=TABLE_1_1,
@@ -152,29 +152,29 @@ ITEMS = [
         condition={y: x * sp.tan(theta_1)},
     ),
     _item(18, "height of the wrist over the shoulder", sp.Matrix([z - d_1 - L_3 * sin(pitch), WRIST_UP])),
-    _item(19, "the law of cosines for the elbow", sp.Eq(c_3, COSINE)),
+    _item(19, "the law of cosines for the elbow", equation(c_3, COSINE)),
     _item(
         20,
         "the elbow's angle",
-        sp.Eq(theta_3, acos(c_3)),
+        equation(theta_3, acos(c_3)),
         ONE_ELBOW,
         NO_SIGN,
         condition={sigma: sp.Integer(1)},
     ),
-    _item(21, "the shoulder's sine", sp.Eq(sp.Symbol("s_2"), (ALONG * h - ACROSS * r_wrist) / DISTANCE_2)),
+    _item(21, "the shoulder's sine", equation(sp.Symbol("s_2"), (ALONG * h - ACROSS * r_wrist) / DISTANCE_2)),
     _item(
         22,
         "the shoulder's cosine",
-        sp.Eq(c_2, (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
+        equation(c_2, (ALONG * r_wrist - ACROSS * h) / DISTANCE_2),
         "wrong: the sign between the two terms is plus",
         "with the minus the squares of sine and cosine do not add up to 1",
         right=(ALONG * r_wrist + ACROSS * h) / DISTANCE_2,
     ),
-    _item(23, "the shoulder's angle from its sine and cosine", sp.Eq(theta_2, atan2(s_2, c_2))),
+    _item(23, "the shoulder's angle from its sine and cosine", equation(theta_2, atan2(s_2, c_2))),
     _item(
         24,
         "the wrist's angle makes up the pitch",
-        sp.Eq(theta_4, pitch - theta_3 - theta_2),
+        equation(theta_4, pitch - theta_3 - theta_2),
         IF_TABLE_1_1,
         LOWER,
         condition={pitch: pitch - pi / 2},

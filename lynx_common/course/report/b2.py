@@ -8,7 +8,7 @@ import sympy as sp
 from sympy import cos, pi, sin
 
 from ...symbolic import P, Q
-from .item import Item
+from .item import Item, equation
 
 NOTEBOOK = "B2_animation"
 theta_1, theta_2, theta_3, theta_4, theta_5 = Q
@@ -47,7 +47,9 @@ def _positions(joint: int, first: int) -> list[Item]:
     """The four equations of a joint: x, y, z, and all three."""
     place = [OUT[joint] * cos(theta_1), OUT[joint] * sin(theta_1), UP[joint]]
     items = [
-        _item(first + i, f"{axis} of the {NAMES[joint]}", sp.Eq(sp.Symbol(f"P_{joint}{axis}"), value), joint == 5)
+        _item(
+            first + i, f"{axis} of the {NAMES[joint]}", equation(sp.Symbol(f"P_{joint}{axis}"), value), joint == 5
+        )
         for i, (axis, value) in enumerate(zip("xyz", place, strict=True))
     ]
     return [*items, _item(first + 3, f"position of the {NAMES[joint]}", sp.Matrix(place), joint == 5)]

@@ -12,6 +12,11 @@ from ...symbolic import numeric, tidy
 KINDS = ("holds, if ", "wrong: ", "holds")  # the verdicts, the longer beginning first
 
 
+def equation(left: sp.Basic, right: sp.Basic) -> sp.Eq:
+    """An equation as it is printed; SymPy does not ask whether it holds, which would take time."""
+    return sp.Eq(left, right, evaluate=False)
+
+
 @dataclass(frozen=True)
 class Item:
     """A printed item, its place, and the verdict of this course.

@@ -9,7 +9,7 @@ from sympy import cos, pi, sin
 
 from ...symbolic import DESIGN, POSE
 from . import part2_results
-from .item import Item
+from .item import Item, equation
 from .part2_results import NOTEBOOK
 
 X_c, Y_c, alpha = POSE
@@ -22,7 +22,7 @@ R_BC = sp.MatrixSymbol("R", 2, 2)
 CORNER = 2 * pi * (i - 1) / 3  # of the platform, by (2.1)
 E = {e_1: -2 * y_PP * S_A, e_2: -2 * x_PP * S_A, e_3: x_PP**2 + y_PP**2 + S_A**2 - L**2}
 FROM_THE_BASE = {x_PP: x_PP - x_PB, y_PP: y_PP - y_PB}
-APART = sp.Eq(L**2, (x_PP - x_PB) ** 2 + (y_PP - y_PB) ** 2)
+APART = equation(L**2, (x_PP - x_PB) ** 2 + (y_PP - y_PB) ** 2)
 FROM_THE_ELBOW = (x_PP - x_PB - S_A * cos(theta)) ** 2 + (y_PP - y_PB - S_A * sin(theta)) ** 2
 ROOT = sp.sqrt(e_1**2 - (e_3 - e_2) * (e_3 + e_2))
 AT_THE_ORIGIN = "it leaves out the base joint, as if all three motors were at the origin"
@@ -38,24 +38,24 @@ def _from_the_base(number: int, e: sp.Symbol, says: str) -> Item:
     """One of (2.6) to (2.8)."""
     right = E[e].subs(FROM_THE_BASE, simultaneous=True)
     verdict = "wrong: the platform joint is counted from the base joint, not from the origin"
-    return _item(number, says, sp.Eq(e, E[e]), verdict, AT_THE_ORIGIN, right=right)
+    return _item(number, says, equation(e, E[e]), verdict, AT_THE_ORIGIN, right=right)
 
 
 ITEMS = [
     _item(
         1,
         "joint i of the platform",
-        sp.Eq(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
+        equation(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
         "wrong: by Table 2.2, which the numbers follow, every corner is 90 deg further round",
         "its first corner is to the right of the centre, that of Table 2.2 above it",
         meaning={R_BC: R},
         right=r_platform * R * sp.Matrix([cos(CORNER + pi / 2), sin(CORNER + pi / 2)]) + C,
     ),
-    _item(2, "how the platform is turned", sp.Eq(R_BC, R)),
+    _item(2, "how the platform is turned", equation(R_BC, R)),
     _item(
         3,
         "x of the platform joint, along the two links of its leg",
-        sp.Eq(x_PP, S_A * cos(theta) + L * cos(psi)),
+        equation(x_PP, S_A * cos(theta) + L * cos(psi)),
         "wrong: the x of the base joint is to be added",
         AT_THE_ORIGIN,
         right=x_PB + S_A * cos(theta) + L * cos(psi),
@@ -63,7 +63,7 @@ ITEMS = [
     _item(
         4,
         "y of the platform joint, along the two links of its leg",
-        sp.Eq(y_PP, S_A * sin(theta) + L * sin(psi)),
+        equation(y_PP, S_A * sin(theta) + L * sin(psi)),
         "wrong: the y of the base joint is to be added",
         AT_THE_ORIGIN,
         right=y_PB + S_A * sin(theta) + L * sin(psi),
@@ -89,12 +89,12 @@ ITEMS = [
     _item(
         11,
         "its two roots",
-        sp.Eq(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
+        equation(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
         "holds, if e_3 is not e_2; there it is linear, with one root -e_3 / e_1, and the other angle is 180 deg",
         "where e_3 = e_2 it divides by zero, and half of 180 deg has no tangent",
-        condition={sp.Eq(e_2, e_3): sp.false},
+        condition={equation(e_2, e_3): sp.false},
     ),
-    _item(12, "theta from t", sp.Eq(theta, 2 * sp.atan(t))),
+    _item(12, "theta from t", equation(theta, 2 * sp.atan(t))),
     _item(
         13,
         "what is L apart: base joint and platform joint",

@@ -5,7 +5,7 @@ import sympy as sp
 
 from ...symbolic import Q
 from . import a1
-from .item import Item
+from .item import Item, equation
 
 NOTEBOOK = "Part3_singularity_avoidance"
 INTRODUCTION, METHOD = "3.1, pp. 20-21", "3.2, pp. 21-23"
@@ -40,7 +40,7 @@ ITEMS = [
         "eq. 3.1",
         METHOD,
         "the transform of one link from its row of Table 3.1",
-        sp.Eq(sp.MatrixSymbol("T_i", 4, 4), a1.LINK),
+        equation(sp.MatrixSymbol("T_i", 4, 4), a1.LINK),
         NOTEBOOK,
         "holds",
     ),
@@ -58,7 +58,7 @@ ITEMS = [
         "eq. 3.3",
         METHOD,
         "the whole Jacobian, a column for each joint",
-        sp.Eq(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
+        equation(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
         NOTEBOOK,
         "holds",
         meaning=RATES | AXES,

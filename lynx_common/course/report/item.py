@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 import sympy as sp
@@ -109,6 +110,7 @@ def _expressions_differ(printed: sp.Basic, derived: sp.Basic) -> str:
     )
 
 
+@cache
 def is_zero(expr: sp.Expr) -> bool:
     """Whether ``expr`` is identically zero: disproved by numbers where they suffice, else proven by SymPy."""
     if tidy(expr) == 0:

@@ -28,7 +28,7 @@ def gaps_of(artists):
     return [text.get_text() for text in artists[len(STYLES) :]]
 
 
-def poses(rng, n=60):
+def poses(rng, n=25):
     """Poses of which about half can be assembled."""
     return rng.uniform([-150, -150, -2], [150, 150, 2], (n, 3))
 
@@ -58,7 +58,7 @@ def test_a_leg_ends_at_its_platform_joint_or_as_near_as_it_can(geometry, ax, rng
         np.testing.assert_allclose(np.linalg.norm(PP - ends, axis=1), missing, atol=1e-9)
         assert gaps_of(artists) == [f"{gap:.1f} mm" if gap else "" for gap in missing]
         open_legs += np.count_nonzero(missing)
-    assert open_legs > 20
+    assert open_legs > 10
 
 
 def test_elbows_bend_as_the_working_mode_says(ax):

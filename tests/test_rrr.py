@@ -195,9 +195,10 @@ def test_one_target_one_mode_or_a_sentence():
 
 @ROBOTS
 def test_forward_kinematics_finds_the_pose_that_gave_the_angles(rng, geometry):
-    pose, theta = with_modes(rng, 10_000, geometry)
+    n = 10_000 if geometry == rrr.RRR else 3000
+    pose, theta = with_modes(rng, n, geometry)
     found = rrr.forward_kinematics(theta, geometry)
-    assert found.shape == (10_000, 6, 3)
+    assert found.shape == (n, 6, 3)
     assert np.nanmin(apart(found, pose[:, None]), axis=1).max() < 1e-6
     assert np.nanmax(misses(found, theta[:, None], geometry)) < 1e-8
     count = np.isfinite(found[..., 0]).sum(axis=1)

@@ -23,6 +23,9 @@ WITHOUT_WORDS = "[...document.images].filter(i => !i.alt || i.alt.includes('_ima
 LINKS = "[...document.querySelectorAll('a[href]')].map(a => a.href)"
 ALL_TYPESET = f"{MATHEMATICS} >= {MATHEMATICS_WANTED}"
 DRAWN = "[...document.querySelectorAll('canvas')].map(c => c.toDataURL()).join()"
+TIME = "document.getElementById('time').value"
+TO_THE_PLAYER = "document.getElementById('view').scrollIntoView({behavior: 'instant'})"
+TO_THE_END = "top.scrollTo({top: top.document.body.scrollHeight, behavior: 'instant'})"
 HAS_ID = "id => document.getElementById(decodeURIComponent(id)) !== null"
 
 
@@ -89,10 +92,11 @@ def mathematics(page: Page) -> list[str]:
 
 
 def still(frame: Frame) -> list[str]:
-    """The sliders of an explorer, or of a player, that leave its drawing as it is."""
-    if play := frame.query_selector("#play"):
-        play.click()
+    """The sliders of an explorer, or of a player, that leave its drawing as it is; and players out of step."""
     failures = []
+    if play := frame.query_selector("#play"):
+        failures = runs_where_seen(frame)
+        play.click()
     for number, slider in enumerate(frame.query_selector_all("input[type=range]"), start=1):
         slider.scroll_into_view_if_needed()
         before = frame.evaluate(DRAWN)
@@ -101,6 +105,18 @@ def still(frame: Frame) -> list[str]:
         if frame.evaluate(DRAWN) == before:
             failures.append(f"slider {number} of {frame.frame_element().get_attribute('title')!r} moves nothing")
     return failures
+
+
+def runs_where_seen(frame: Frame) -> list[str]:
+    """Whether a player runs while it is in sight, and rests, so that it costs nothing, while it is not."""
+    running = []
+    for scroll in (TO_THE_PLAYER, TO_THE_END):
+        frame.evaluate(scroll)
+        frame.page.wait_for_timeout(300)
+        before = frame.evaluate(TIME)
+        frame.page.wait_for_timeout(500)
+        running.append(frame.evaluate(TIME) != before)
+    return [] if running == [True, False] else [f"a player runs in sight, out of sight: {running}"]
 
 
 def dead_links(page: Page, links: list[str]) -> list[str]:

@@ -46,13 +46,9 @@ def player(
         raise InputError(f"Frames (n, k, 3) are expected; {points.shape} and {moving.shape} were given.")
     if not (np.isfinite(radius) and radius >= 0):
         raise InputError(f"The radius of the items is finite and not negative; {radius} was given.")
-    data = {
-        "radius": float(radius),
-        "arm": points,
-        "items": moving,
-        "lines": list(map(_finite, [] if still is None else still)),
-    }
-    numbers = json.dumps(data | {"seconds": seconds}, default=np.ndarray.tolist, separators=(",", ":"))
+    lines = [] if still is None else list(map(_finite, still))
+    data = {"radius": float(radius), "arm": points, "items": moving, "lines": lines, "seconds": seconds}
+    numbers = json.dumps(data, default=np.ndarray.tolist, separators=(",", ":"))
     page = PAGE.replace("DATA", numbers)
     for name, angle in zip(("TURN", "TILT"), FROM_ABOVE if from_above else FROM_THE_SIDE, strict=True):
         page = page.replace(name, str(angle))

@@ -6,7 +6,10 @@ import contourpy
 import ipywidgets as widgets
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
 
 from ... import drawing, rrr
 from ...arcs import Region
@@ -64,13 +67,7 @@ def _views(geometry: rrr.Geometry, side: float) -> Callable[[np.ndarray, int, Re
     reach = geometry.r_base + 0.6 * geometry.S_A
     plane.set(xlim=(-reach, reach), ylim=(-reach, reach))
     places = np.linspace(-side, side, 61)
-    field = chart.imshow(
-        np.zeros((61, 61)), "PuOr", extent=(-side, side) * 2, origin="lower", vmin=-LARGEST, vmax=LARGEST
-    )
-    fig.colorbar(field, ax=chart, label="det A", shrink=0.8)
-    zeros = chart.add_collection(LineCollection([], colors=drawing.COLOURS["link"], linestyles="--"))
-    needle = chart.plot(0, 0, "*", markersize=12, color=drawing.COLOURS["target"], markeredgecolor="black")[0]
-    chart.set(xlabel="$X_c$ [mm]", ylabel="$Y_c$ [mm]", xlim=(-side, side), ylim=(-side, side))
+    field, zeros, needle = _chart(chart, side, len(places))
     redraw = over_a_background(fig, [field, *shapes, zeros, needle, *robot])
 
     def picture(pose: np.ndarray, mode: int, region: Region) -> bytes:
@@ -86,6 +83,18 @@ def _views(geometry: rrr.Geometry, side: float) -> Callable[[np.ndarray, int, Re
         return redraw()
 
     return picture
+
+
+def _chart(ax: Axes, side: float, n: int) -> tuple[AxesImage, LineCollection, Line2D]:
+    """What moves on the map of det A: its shading, n by n, the lines where it is zero, and the needle."""
+    field = ax.imshow(
+        np.zeros((n, n)), "PuOr", extent=(-side, side) * 2, origin="lower", vmin=-LARGEST, vmax=LARGEST
+    )
+    ax.get_figure().colorbar(field, ax=ax, label="det A", shrink=0.8)
+    zeros = ax.add_collection(LineCollection([], colors=drawing.COLOURS["link"], linestyles="--"))
+    needle = drawing.target(ax, np.zeros(2), markersize=12, markeredgecolor="black", zorder=2)
+    ax.set(xlabel="$X_c$ [mm]", ylabel="$Y_c$ [mm]", xlim=(-side, side), ylim=(-side, side))
+    return field, zeros, needle
 
 
 def _in_words(pose: np.ndarray, mode: int, region: Region, geometry: rrr.Geometry) -> str:

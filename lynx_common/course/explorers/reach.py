@@ -43,13 +43,10 @@ def _reach_view(geometry: arm.Geometry) -> Callable[[np.ndarray, float, np.ndarr
     plane.set(xlim=(-1.1 * reach, 1.1 * reach), ylim=(d_1 - 1.1 * reach, d_1 + 1.1 * reach))
     for radius in (abs(L_1 - L_2), L_1 + L_2):
         plane.add_patch(plt.Circle((0, d_1), radius, fill=False, linestyle=":", color=drawing.COLOURS["aid"]))
-    shapes = [
-        (drawing.arm_3d(space, home, geometry, alpha=a), drawing.arm_side_view(plane, home, geometry, alpha=a))
-        for a in SHADES
-    ]
-    mark = {"color": drawing.COLOURS["target"], "marker": "*", "markersize": 14, "linewidth": 2.5}
-    targets = space.plot(0, 0, 0, **mark, markevery=[0]), plane.plot(0, 0, **mark, markevery=[0])
-    redraw = over_a_background(fig, [line for pair in (*shapes, targets) for lines in pair for line in lines])
+    shapes = [drawing.arm_views(space, plane, home, geometry, alpha=shade) for shade in SHADES]
+    mark = {"markersize": 14, "linewidth": 2.5}
+    in_space, in_plane = drawing.target(space, np.zeros(3), **mark), drawing.target(plane, np.zeros(2), **mark)
+    redraw = over_a_background(fig, [*(line for a, b in shapes for line in (*a, *b)), in_space, in_plane])
 
     def picture(position: np.ndarray, pitch: float, q: np.ndarray) -> bytes:
         for lines, posture in zip(shapes, q, strict=False):
@@ -61,8 +58,8 @@ def _reach_view(geometry: arm.Geometry) -> Callable[[np.ndarray, float, np.ndarr
         axis = np.array([np.cos(pitch), np.sin(pitch)])
         tip = np.array([np.hypot(*position[:2]), position[2]])
         r, z = np.transpose([tip, tip - L_3 * axis])  # from the target back to where the wrist has to be
-        targets[0][0].set_data_3d(r * np.cos(azimuth), r * np.sin(azimuth), z)
-        targets[1][0].set_data(r, z)
+        in_space.set_data_3d(r * np.cos(azimuth), r * np.sin(azimuth), z)
+        in_plane.set_data(r, z)
         return redraw()
 
     return picture

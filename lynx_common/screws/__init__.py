@@ -13,9 +13,9 @@ and wrong shapes raise InputError.
 Source: K. Lynch and F. Park, Modern Robotics, chapters 3 to 5, with the halves of the six-vectors exchanged.
 """
 
-from .exponential import adjoint, exp, hat, inverse, log, vee
+from .exponential import adjoint, exp, hat, inverse, log
 from .joints import product_of_exponentials, space_jacobian
-from .lines import Screw, couple, force, prismatic, revolute, screw, screw_axis, wrench_axis
+from .lines import Screw, couple, force, prismatic, revolute, screw, screw_axis
 from .systems import order, reciprocal_product, reciprocal_system
 
 __all__ = [
@@ -36,6 +36,4 @@ __all__ = [
     "screw",
     "screw_axis",
     "space_jacobian",
-    "vee",
-    "wrench_axis",
 ]

@@ -2,15 +2,11 @@
 
 import numpy as np
 
-from ..errors import InputError
 from ..reading import pose, real
 
 # Below this angle (radians) limits take the place of quotients, which become 0/0. These are multiplied by
 # theta^2, so that the next term of their series, of order theta^2, counts for theta^4: less than rounding.
 SMALL = 1e-4
-
-# How far the matrix of a twist may be from skew-symmetric, for each unit of its entries.
-SKEW_TOLERANCE = 1e-9
 
 
 def hat(twist: np.ndarray) -> np.ndarray:
@@ -20,16 +16,6 @@ def hat(twist: np.ndarray) -> np.ndarray:
     matrix[..., :3, :3] = cross_matrix(twist[..., 3:])
     matrix[..., :3, 3] = twist[..., :3]
     return matrix
-
-
-def vee(matrix: np.ndarray) -> np.ndarray:
-    """The twist of such a matrix, (..., 4, 4) to (..., 6); InputError where it is not of that form."""
-    matrix = real(matrix, "the matrix of a twist", 4, 4)
-    W = matrix[..., :3, :3]
-    twist = np.concatenate([matrix[..., :3, 3], W[..., [2, 0, 1], [1, 2, 0]]], axis=-1)
-    if (np.abs(hat(twist) - matrix) > SKEW_TOLERANCE * (1 + np.abs(matrix))).any():
-        raise InputError("The matrix of a twist is expected: skew-symmetric, with a last row of zeros.")
-    return twist
 
 
 def exp(twist: np.ndarray) -> np.ndarray:

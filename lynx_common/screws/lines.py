@@ -88,11 +88,6 @@ def screw_axis(twist: np.ndarray) -> Screw:
     return Screw(axis, point, pitch, magnitude[..., 0])
 
 
-def wrench_axis(wrench: np.ndarray) -> Screw:
-    """Line of action, pitch and magnitude of wrenches (..., 6); the pitch of a couple is infinite."""
-    return screw_axis(swap(real(wrench, "a wrench", 6)))
-
-
 def swap(six: np.ndarray) -> np.ndarray:
     """The halves of six-vectors exchanged: a force along a line has the numbers of a turn about it, swapped."""
     return np.concatenate([six[..., 3:], six[..., :3]], axis=-1)

@@ -1,64 +1,38 @@
 """What nbval leaves out, so that a notebook passes only if every output still holds.
 
 nbval re-runs each notebook and compares text, equations and tables. This plugin (loaded by pyproject.toml, so
-that it holds wherever a notebook lies) adds three things: pictures are compared too; a trailing `;` silences
-a cell, as in JupyterLab; and a notebook that is not as `make notebooks` leaves it is refused when collected.
-nbval offers no hooks for these, hence the replacements at the end.
+that it holds wherever a notebook lies) adds five things: pictures are compared too; a trailing `;` silences a
+cell, as in JupyterLab; a notebook that is not as `make notebooks` leaves it is refused when collected; cells have
+the numbers that JupyterLab shows; and a notebook stops at the first cell that fails, since one cause would make
+many more fail. nbval offers no hooks for these, hence the replacements at the end.
 """
 
-import base64
 import functools
-import io
+import os
+from collections.abc import Iterator
+from pathlib import Path
 
 import nbformat
 import nbval.kernel
-import numpy as np
-from nbval.plugin import IPyNbCell, IPyNbFile
-from PIL import Image
+import pytest
+from nbval.plugin import IPyNbCell, IPyNbFile, comment_markers, metadata_tags
 
-from lynx_common.course.kernel import KERNEL_ARGUMENTS, code_cells, kernel_environment
+from lynx_common.course import pictures
+from lynx_common.course.kernel import FIXED, KERNEL_ARGUMENTS, PERSONAL, code_cells, kernel_environment
 
-# On one machine a picture is the same to the byte. Between processors, rounding shades a few pixels at the
-# edge of a line a little. One changed digit, in print as small as 7 points, is 19 pixels or more.
-LEVELS = 16  # of 255, in any channel: less cannot be seen
-PIXELS = 20_000  # one in so many may differ by more,
-MOST = 15  # but a digit does not grow with the picture
-
-
-def picture_difference(stored: str, drawn: str) -> str:
-    """How two base64 PNGs differ, in a sentence; empty if they are the same picture."""
-    stored, drawn = pixels(stored), pixels(drawn)
-    if stored.shape != drawn.shape:
-        return f"picture differs: {size(stored)} pixels stored, {size(drawn)} drawn"
-    allowed = min(MOST, stored.shape[0] * stored.shape[1] // PIXELS)
-    differing = np.count_nonzero((abs(stored - drawn) > LEVELS).any(axis=-1))
-    if differing <= allowed:
-        return ""
-    return f"picture differs: {differing} pixels of {size(stored)}, where at most {allowed} may"
-
-
-def pixels(png: str) -> np.ndarray:
-    """Height, width, RGBA of a base64 PNG; signed, so that levels can be subtracted."""
-    return np.asarray(Image.open(io.BytesIO(base64.b64decode(png))).convert("RGBA"), dtype=int)
-
-
-def size(picture: np.ndarray) -> str:
-    return f"{picture.shape[1]} x {picture.shape[0]}"
-
-
-def pictures(outputs: list) -> list[str]:
-    return [output["data"]["image/png"] for output in outputs if "image/png" in output.get("data", {})]
+# What can be said in a cell so that nbval asks nothing of it.
+EXEMPTIONS = {name for name in (*comment_markers, *metadata_tags) if "ignore" in name.lower() or "skip" in name.lower()}
 
 
 def compare_outputs(cell: IPyNbCell, drawn: list, stored: list, skip_compare=None) -> bool:
     """nbval's comparison, which skips PNGs, and then the PNGs."""
     if not nbval_compare_outputs(cell, drawn, stored, skip_compare):
         return False
-    drawn, stored = pictures(drawn), pictures(stored)
+    drawn, stored = pictures.of(drawn), pictures.of(stored)
     if len(drawn) != len(stored):
         differences = [f"{len(stored)} pictures stored, {len(drawn)} drawn"]
     else:
-        differences = list(filter(None, map(picture_difference, stored, drawn)))
+        differences = list(filter(None, map(pictures.difference, stored, drawn)))
     cell.comparison_traceback += differences
     return not differences
 
@@ -68,11 +42,27 @@ def execute_cell_input(kernel: nbval.kernel.RunningKernel, source: str, allow_st
     return kernel.kc.execute(source, store_history=True, allow_stdin=allow_stdin, stop_on_error=False)
 
 
-def collect(file: IPyNbFile):
+def collect(file: IPyNbFile) -> Iterator[IPyNbCell]:
     """nbval's collection, for a notebook that can be trusted to hold outputs at all."""
     if faults := stored_faults(nbformat.read(file.path, as_version=4)):
         raise file.CollectError(f"{file.path.name} {' and '.join(faults)}; run `make notebooks`.")
-    yield from nbval_collect(file)
+    for cell in nbval_collect(file):
+        count = cell.cell.execution_count or f"without a number, {cell.cell_num + 1}"
+        yield IPyNbCell.from_parent(
+            file, name=f"cell [{count}]", cell_num=cell.cell_num, cell=cell.cell, options=cell.options
+        )
+
+
+def runtest(cell: IPyNbCell) -> None:
+    """nbval's test, unless a cell before has failed: what follows from that says nothing new."""
+    first = getattr(cell.parent, "first_failure", None)
+    if first:
+        pytest.skip(f"{first} has failed")
+    try:
+        nbval_runtest(cell)
+    except Exception:
+        cell.parent.first_failure = cell.name
+        raise
 
 
 def stored_faults(notebook: nbformat.NotebookNode) -> list[str]:
@@ -87,6 +77,7 @@ def stored_faults(notebook: nbformat.NotebookNode) -> list[str]:
         "stores a message on stderr": any(o.get("name") == "stderr" for cell in cells for o in cell.outputs),
         "stores the state of widgets": "widgets" in notebook.metadata,
         "stores the times of its execution": any("execution" in cell.metadata for cell in notebook.cells),
+        "exempts a cell from being compared": any(map(is_exempt, cells)),
     }
     return [fault for fault, found in faults.items() if found]
 
@@ -96,8 +87,31 @@ def stores_error(cell: nbformat.NotebookNode) -> bool:
     return not expected and any(output.output_type == "error" for output in cell.outputs)
 
 
-nbval_collect, nbval_compare_outputs = IPyNbFile.collect, IPyNbCell.compare_outputs
-IPyNbFile.collect, IPyNbCell.compare_outputs = collect, compare_outputs
+def is_exempt(cell: nbformat.NotebookNode) -> bool:
+    said = {*cell.metadata.get("tags", []), *(line.strip("# \t") for line in cell.source.splitlines())}
+    return not said.isdisjoint(EXEMPTIONS)
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """The last line of a run in which a cell failed."""
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    failed = [report.nodeid for report in reporter.stats.get("failed", [])] if reporter else []
+    cells = [nodeid.split("::") for nodeid in failed if ".ipynb::" in nodeid]
+    if cells and not hasattr(config, "workerinput"):
+        where = ", ".join(f"{name} of {Path(path).stem}" for path, name in cells)
+        print(
+            f"What to do: look at {where} (JupyterLab shows these numbers) and mend what is wrong there or above; "
+            "if the new output is meant, run `make notebooks` and look at its diff."
+        )
+
+
+# The tests themselves draw, too, and start processes; what is the reader's own stays out of all of them.
+for name in PERSONAL:
+    os.environ.pop(name, None)
+os.environ.update(FIXED)
+
+nbval_collect, nbval_compare_outputs, nbval_runtest = IPyNbFile.collect, IPyNbCell.compare_outputs, IPyNbCell.runtest
+IPyNbFile.collect, IPyNbCell.compare_outputs, IPyNbCell.runtest = collect, compare_outputs, runtest
 nbval.kernel.RunningKernel.execute_cell_input = execute_cell_input
 nbval.kernel.start_new_kernel = functools.partial(
     nbval.kernel.start_new_kernel, env=kernel_environment(), extra_arguments=KERNEL_ARGUMENTS

@@ -11,14 +11,13 @@ from typing import NamedTuple
 import nbformat
 import numpy as np
 import pytest
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from PIL import Image
-from strict_nbval import code_cells, picture_difference, pixels
+from strict_nbval import code_cells
 
 from lynx_common.course.execute import NOTEBOOKS, ROOT
 from lynx_common.course.kernel import METADATA, execute
+from lynx_common.course.pictures import pixels
 
 SMALL = [
     "import matplotlib.pyplot as plt\nfrom IPython.display import Math\nfrom ipywidgets import Image",
@@ -222,17 +221,3 @@ def test_a_cell_fits_the_eye_and_links_lead_somewhere(path):
 def test_a_second_run_changes_no_byte(small):
     assert execute(small).encode() == small.read_bytes()
     assert nbformat.read(small, as_version=4).metadata == METADATA
-
-
-@pytest.mark.parametrize(("label", "other"), ["08", "38", "56", "35", "17"])
-@pytest.mark.parametrize("inches", [(6.4, 4.8), (12, 6)])
-def test_one_digit_of_a_tick_label_is_a_different_picture(label, other, inches):
-    assert picture_difference(tick_label(label, inches), tick_label(other, inches))
-
-
-def tick_label(text: str, inches: tuple[float, float]) -> str:
-    figure = Figure(figsize=inches)
-    figure.add_subplot().set_xticks([0.5], [f"0.{text}"], fontsize=7)
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    return base64_png(np.asarray(canvas.buffer_rgba()))

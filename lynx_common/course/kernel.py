@@ -13,16 +13,20 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbval.kernel import CURRENT_ENV_KERNEL_NAME, NbvalKernelspecManager
 
+from . import pictures
+
 CELL_TIMEOUT = 300  # seconds
 FIXED = {
     "PYTHONHASHSEED": "0",
     "SOURCE_DATE_EPOCH": "0",
     "OPENBLAS_NUM_THREADS": "1",
     "COLUMNS": "80",
-    "IPYTHONDIR": str(Path(sys.prefix, "ipython")),  # the reader's own start-up files stay out
+    "PYTHONUTF8": "1",
+    "IPYTHONDIR": str(Path(sys.prefix, "ipython")),  # the reader's own start-up files stay out,
+    "MPLCONFIGDIR": str(Path(sys.prefix, "matplotlib")),  # and so does a matplotlibrc
     "PYDEVD_DISABLE_FILE_VALIDATION": "1",  # the debugger's advice does not belong in the log
 }
-PERSONAL = {"MPLBACKEND", "MATPLOTLIBRC", "LYNX_FIGURES", "LYNX_FIGURE"}
+PERSONAL = {"MPLBACKEND", "MATPLOTLIBRC", "PYTHONOPTIMIZE", "PYTHONPATH", "LYNX_FIGURES", "LYNX_FIGURE"}
 # Widgets, SVG files and animations take their identifiers from uuid4.
 STABLE_IDS = """exec('''
 import random, uuid
@@ -47,8 +51,12 @@ def kernel_environment(**more: str) -> dict[str, str]:
 
 
 def execute(path: Path, **environment: str) -> str:
-    """Run the notebook in a fresh kernel; return the text to store, the same every time."""
+    """Run the notebook in a fresh kernel; return the text to store, the same every time.
+
+    A picture that looks as the stored one does is kept as it is, so that another processor changes nothing.
+    """
     notebook = nbformat.read(path, as_version=4)
+    before = {cell.id: pictures.of(cell.outputs) for cell in code_cells(notebook)}
     for cell in code_cells(notebook):
         cell.update(outputs=[], execution_count=None)
         cell.metadata.pop("execution", None)
@@ -64,6 +72,8 @@ def execute(path: Path, **environment: str) -> str:
         kernel_name=CURRENT_ENV_KERNEL_NAME, kernel_spec_manager=NbvalKernelspecManager()
     )
     client.execute(cwd=str(path.parent), env=kernel_environment(**environment))
+    for cell in code_cells(notebook):
+        pictures.settle(cell.outputs, before[cell.id])
     notebook.metadata = nbformat.from_dict(METADATA)
     return nbformat.writes(notebook).rstrip("\n") + "\n"
 

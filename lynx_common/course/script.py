@@ -20,6 +20,7 @@ KEPT = (
 )
 NAME = re.compile(rf"(?!(?:{KEPT})$)[A-Za-z]\w*", re.ASCII)
 ALWAYS = sp.Integer(1)
+DIGITS = 9  # significant ones of each number in a page; more would differ between processors
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,9 @@ def javascript(entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol]) -> str
         raise InputError(f"The expressions also hold {', '.join(names)}, which no vector lists.")
     if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s))]:
         raise InputError(f"{', '.join(unfit)} cannot be the name of a variable in JavaScript.")
-    parts, (results, *_) = sp.cse([sp.Matrix(entries)], symbols=sp.numbered_symbols("part", real=True))
+    matrix = sp.Matrix(entries)
+    matrix = matrix.xreplace({number: sp.Float(number, DIGITS) for number in matrix.atoms(sp.Float)})
+    parts, (results, *_) = sp.cse([matrix], symbols=sp.numbered_symbols("part", real=True))
     steps = "".join(f"const {name} = {sp.jscode(part)}; " for name, part in parts)
     arguments = ", ".join(f"[{', '.join(map(str, vector))}]" for vector in vectors)
     return f"({arguments}) => {{ {steps}return [{', '.join(map(sp.jscode, results))}]; }}"
@@ -101,6 +104,8 @@ def page(
     ``fixed`` holds the values of all other symbols, ``title`` is what a reader hears who cannot see it, ``height``
     counts pixels. The same input gives the same page, to the letter.
     """
+    if isinstance(height, bool) or not isinstance(height, int) or height < 1:
+        raise InputError(f"The height is a whole number of pixels; {height!r} was given.")
     entries: list[sp.Expr] = []
 
     def place(numbers: Sequence[sp.Expr]) -> list[int]:
@@ -115,8 +120,10 @@ def page(
         "fixed": [float(value) for value in fixed.values()],
     }
     compute = javascript(entries, [slider.symbol for slider in sliders], list(fixed))
-    data = json.dumps(facts, ensure_ascii=False).replace("</", "<\\/")  # no text ends the script
-    text = PAGE.replace("FACTS", data).replace("COMPUTE", compute)
+    facts = json.loads(json.dumps(facts), parse_float=lambda number: float(f"{float(number):.{DIGITS}g}"))
+    data = json.dumps(facts, ensure_ascii=False).replace("<", "\\u003c")  # no text ends the script
+    filled = {"FACTS": data, "COMPUTE": compute}
+    text = re.sub("|".join(filled), lambda name: filled[name[0]], PAGE)  # in one pass: a text may be a name
     return HTML(
         f'<div><iframe srcdoc="{html.escape(text)}" title="{html.escape(title)}" '
         f'style="width:100%;max-width:700px;height:{height}px;border:0"></iframe></div>'

@@ -21,7 +21,9 @@ from lynx_common.course import pictures
 from lynx_common.course.kernel import FIXED, KERNEL_ARGUMENTS, PERSONAL, code_cells, kernel_environment
 
 # What can be said in a cell so that nbval asks nothing of it.
-EXEMPTIONS = {name for name in (*comment_markers, *metadata_tags) if "ignore" in name.lower() or "skip" in name.lower()}
+EXEMPTIONS = {
+    name for name in (*comment_markers, *metadata_tags) if "ignore" in name.lower() or "skip" in name.lower()
+}
 
 
 def compare_outputs(cell: IPyNbCell, drawn: list, stored: list, skip_compare=None) -> bool:
@@ -47,10 +49,9 @@ def collect(file: IPyNbFile) -> Iterator[IPyNbCell]:
     if faults := stored_faults(nbformat.read(file.path, as_version=4)):
         raise file.CollectError(f"{file.path.name} {' and '.join(faults)}; run `make notebooks`.")
     for cell in nbval_collect(file):
-        count = cell.cell.execution_count or f"without a number, {cell.cell_num + 1}"
-        yield IPyNbCell.from_parent(
-            file, name=f"cell [{count}]", cell_num=cell.cell_num, cell=cell.cell, options=cell.options
-        )
+        number = cell.cell.execution_count or 0  # an empty cell has none
+        name = f"cell [{number}]" if number else f"empty cell {cell.cell_num + 1}"
+        yield IPyNbCell.from_parent(file, name=name, cell_num=number, cell=cell.cell, options=cell.options)
 
 
 def runtest(cell: IPyNbCell) -> None:
@@ -110,7 +111,11 @@ for name in PERSONAL:
     os.environ.pop(name, None)
 os.environ.update(FIXED)
 
-nbval_collect, nbval_compare_outputs, nbval_runtest = IPyNbFile.collect, IPyNbCell.compare_outputs, IPyNbCell.runtest
+nbval_collect, nbval_compare_outputs, nbval_runtest = (
+    IPyNbFile.collect,
+    IPyNbCell.compare_outputs,
+    IPyNbCell.runtest,
+)
 IPyNbFile.collect, IPyNbCell.compare_outputs, IPyNbCell.runtest = collect, compare_outputs, runtest
 nbval.kernel.RunningKernel.execute_cell_input = execute_cell_input
 nbval.kernel.start_new_kernel = functools.partial(

@@ -2,9 +2,13 @@
 
 import base64
 import io
+import json
+import os
 import re
+import shutil
 import subprocess
 import sys
+from collections import defaultdict
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,20 +17,22 @@ import numpy as np
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from PIL import Image
-from strict_nbval import code_cells
 
 from lynx_common.course.execute import NOTEBOOKS, ROOT
-from lynx_common.course.kernel import METADATA, execute
+from lynx_common.course.kernel import METADATA, code_cells, execute
 from lynx_common.course.pictures import pixels
 
 SMALL = [
-    "import matplotlib.pyplot as plt\nfrom IPython.display import Math\nfrom ipywidgets import Image",
+    "import matplotlib.pyplot as plt\nfrom IPython.display import HTML, Math\nfrom ipywidgets import Image",
     "print(0.2156, 0.373429)",
     "Math(r'$\\sqrt{x}$')",
     "plt.plot([0, 1], [0, 2], 'o')\nplt.show()",
     "plt.title('no text from this cell');",
     "Image(value=b'', alt='a widget')",
     "",
+    "HTML('<p>12</p>')",
+    "try:\n    assert False\nexcept AssertionError:\n    print('asserts count')",
+    "with open('text.txt', encoding=None) as text:\n    print(text.read())",
     "1 + 1",
 ]
 
@@ -35,93 +41,133 @@ SMALL = [
 def small(tmp_path_factory) -> Path:
     """A notebook with one cell of each kind, executed."""
     path = tmp_path_factory.mktemp("small") / "small.ipynb"
+    path.with_name("text.txt").write_text("Übung", encoding="utf-8")
     cells = [new_code_cell(source, id=f"cell-{number}") for number, source in enumerate(SMALL)]
     nbformat.write(new_notebook(cells=cells), path)
-    path.write_text(execute(path))
+    path.write_text(execute(path), encoding="utf-8")
     return path
 
 
 class Outcome(NamedTuple):
     """What pytest said of the copies of a notebook."""
 
-    changed: set[int]  # cells that hold a changed output
-    failed: dict[str, set]  # by copy: the cells that failed, or {"all"} where the notebook was refused
+    changed: dict[str, str]  # by copy with one changed output: the cell that holds it
+    failed: dict[str, list[str]]  # by copy: the cells that failed, or [""] where the notebook was refused
+    passed: dict[str, list[str]]
     output: str
 
 
-BOOKS = "small", "course"
-
-
 @pytest.fixture(scope="module")
-def outcomes(small, tmp_path_factory) -> dict[str, Outcome]:
-    """Copies of the small notebook and of one of the course's, each spoiled in one way; pytest run on all."""
-    paths = dict(zip(BOOKS, (small, NOTEBOOKS / "A1_forward_kinematics.ipynb"), strict=True))
-    folder = tmp_path_factory.mktemp("copies")
-    changed = {book: spoiled_copies(path, folder, book) for book, path in paths.items()}
-    failed, output = check(folder)
-    return {book: Outcome(changed[book], failed[book], output) for book in BOOKS}
+def outcome(small, tmp_path_factory) -> Outcome:
+    """Copies of the small notebook, each spoiled in one way, in a folder and an environment that are not ours."""
+    folder = tmp_path_factory.mktemp("copies") / "Übung 3" / "Robot course"
+    folder.mkdir(parents=True)
+    shutil.copy(small.with_name("text.txt"), folder)
+    changed = {}
+    for name, spoil in (CHANGES | SPOILS).items():
+        copy = nbformat.read(small, as_version=4)
+        if name in CHANGES:
+            changed[name] = change_one(copy, spoil)
+        else:
+            spoil[0](copy)
+        nbformat.write(copy, folder / f"{name}.ipynb")
+    noise = nbformat.read(small, as_version=4)
+    change_one(noise, add_noise)
+    nbformat.write(noise, folder / "noisy.ipynb")
+    return Outcome(changed, *check(folder, personal(tmp_path_factory.mktemp("home"))))
 
 
-def spoiled_copies(path: Path, folder: Path, book: str) -> set[int]:
-    """Write copies of a notebook, spoiled in one way each; returns the cells of `changed` that are."""
-    copies = {name: nbformat.read(path, as_version=4) for name in ("changed", *SPOILS)}
-    cells = {change_one(copies["changed"], change) for change in (change_digit, change_equation, change_picture)}
-    if book == "small":
-        copies["noisy"] = nbformat.read(path, as_version=4)
-        change_one(copies["noisy"], add_noise)
-    else:
-        end_after(copies["changed"], max(cells))  # what follows is not changed, and takes seconds
-    for name, (spoil, _) in SPOILS.items():
-        spoil(copies[name])
-    for name, copy in copies.items():
-        nbformat.write(copy, folder / f"{book}-{name}.ipynb")
-    return cells
+def personal(home: Path) -> dict[str, str]:
+    """The environment of somebody who has settings of his own, each of which would change an output."""
+    for folder in (home / "config" / "matplotlib", home / "other"):
+        folder.mkdir(parents=True)
+        (folder / "matplotlibrc").write_text("lines.markersize: 30\naxes.facecolor: black\n")
+    kernel = home / "jupyter" / "kernels" / "python3"
+    kernel.mkdir(parents=True)
+    spec = {"argv": ["false", "{connection_file}"], "display_name": "another", "language": "python"}
+    (kernel / "kernel.json").write_text(json.dumps(spec))
+    return {
+        "HOME": str(home),
+        "XDG_CONFIG_HOME": str(home / "config"),
+        "MPLCONFIGDIR": str(home / "other"),
+        "MATPLOTLIBRC": str(home / "other" / "matplotlibrc"),
+        "PYTHONOPTIMIZE": "1",
+        "JUPYTER_PATH": str(home / "jupyter"),
+        "TZ": "Pacific/Kiritimati",
+        "LANG": "de_DE.ISO-8859-1",
+        "LC_ALL": "C",
+        "PYTHONUTF8": "0",
+        "PYTHONCOERCECLOCALE": "0",
+    }
 
 
-def check(folder: Path) -> tuple[dict[str, dict[str, set]], str]:
-    """Run pytest on all copies, as `make test` does; the cells of each that failed, and its output."""
-    failed = {book: {name: set() for name in ("changed", "noisy", *SPOILS)} for book in BOOKS}
-    command = [sys.executable, "-m", "pytest", "-n0", "-rA", "--color=no", "-c", ROOT / "pyproject.toml"]
-    run = subprocess.run([*command, "--rootdir", ROOT, folder], capture_output=True, text=True, cwd=folder)
-    lines = re.compile(r"^(?:FAILED|ERROR) \S*?(\w+)-(\w+)\.ipynb(?:::Cell (\d+))?", re.MULTILINE)
-    for book, name, cell in lines.findall(run.stdout):
-        failed[book][name].add(int(cell) if cell else "all")
-    return failed, run.stdout
+RECORDER = """
+import json, sys
+import pytest
+
+class Recorder:
+    def __init__(self):
+        self.reports = []
+    def pytest_collectreport(self, report):
+        if report.failed:
+            self.reports.append((report.nodeid, "failed"))
+    def pytest_runtest_logreport(self, report):
+        if report.when == "call" or report.failed:
+            self.reports.append((report.nodeid, report.outcome))
+
+recorder = Recorder()
+pytest.main(sys.argv[2:], plugins=[recorder])
+with open(sys.argv[1], "w", encoding="utf-8") as file:
+    json.dump(recorder.reports, file)
+"""
 
 
-def test_what_holds_passes_with_noise_that_nobody_sees(outcomes):
-    passed = re.findall(r"^PASSED .*small-noisy\.ipynb::Cell", outcomes["small"].output, re.MULTILINE)
-    assert len(passed) == len(SMALL)
-    assert outcomes["small"].failed["noisy"] == set()
+def check(folder: Path, environment: dict[str, str]) -> tuple[dict[str, list], dict[str, list], str]:
+    """Run pytest on all copies; the cells of each that failed, those that passed, and what it printed."""
+    found = folder / "reports.json"
+    command = [sys.executable, "-c", RECORDER, found, "-n0", "--color=no", "-c", ROOT / "pyproject.toml"]
+    run = subprocess.run(
+        [*command, "--rootdir", ROOT, folder], capture_output=True, cwd=folder, env=os.environ | environment
+    )
+    outcomes = {"failed": defaultdict(list), "passed": defaultdict(list), "skipped": defaultdict(list)}
+    for nodeid, outcome in json.loads(found.read_text(encoding="utf-8")):
+        path, _, cell = nodeid.partition("::")
+        outcomes[outcome][Path(path).stem].append(cell)
+    return outcomes["failed"], outcomes["passed"], run.stdout.decode("utf-8", "replace")
 
 
-@pytest.mark.parametrize("book", BOOKS)
-def test_a_changed_output_fails_in_its_own_cell_only(book, outcomes):
-    outcome = outcomes[book]
-    assert len(outcome.changed) == 3
-    assert outcome.failed["changed"] == outcome.changed
-    assert "picture differs: " in outcome.output
+def test_what_holds_passes_with_noise_that_nobody_sees(outcome):
+    """Whatever settings its reader has."""
+    assert outcome.failed["noisy"] == []
+    assert len(outcome.passed["noisy"]) == len(SMALL)
 
 
-@pytest.mark.parametrize("book", BOOKS)
-def test_a_notebook_not_as_made_is_refused(book, outcomes):
-    for name, (_, fault) in SPOILS.items():
-        assert outcomes[book].failed[name] == {"all"}
-        assert f"{book}-{name}.ipynb {fault}; run `make notebooks`." in outcomes[book].output
+def test_a_changed_output_fails_in_its_own_cell_and_what_follows_says_nothing_more(outcome):
+    assert {name: outcome.failed[name] for name in CHANGES} == {n: [cell] for n, cell in outcome.changed.items()}
+    assert "picture differs: by " in outcome.output
 
 
-def change_one(notebook, change) -> int:
-    """Change the first output that can be changed in this way; returns the number of its cell."""
-    for number, cell in enumerate(code_cells(notebook)):
-        compared = "nbval-ignore-output" not in cell.metadata.get("tags", [])
-        if compared and any(map(change, cell.outputs)):
-            return number
+def test_a_failed_run_ends_with_what_to_do(outcome):
+    last = outcome.output.rstrip().splitlines()[-1]
+    assert last.startswith("What to do: look at ")
+    assert all(f"{cell} of {name}" in last for name, cell in outcome.changed.items())
+    assert "`make notebooks`" in last
+
+
+@pytest.mark.parametrize(
+    "name", ["stripped", "disordered", "warned", "failed", "with_widgets", "with_times", "exempt"]
+)
+def test_a_notebook_not_as_made_is_refused(name, outcome):
+    assert outcome.failed[name] == [""]
+    assert f"{name}.ipynb {SPOILS[name][1]}; run `make notebooks`." in outcome.output
+
+
+def change_one(notebook, change) -> str:
+    """Change the first output that can be changed in this way; returns the name of its cell."""
+    for cell in code_cells(notebook):
+        if any(map(change, cell.outputs)):
+            return f"cell [{cell.execution_count}]"
     raise ValueError(f"no output for {change.__name__}")
-
-
-def end_after(notebook, number: int):
-    last = notebook.cells.index(code_cells(notebook)[number])
-    del notebook.cells[last + 3 :]  # at least one code cell more, which must pass
 
 
 def change_digit(output) -> bool:
@@ -135,6 +181,10 @@ def change_digit(output) -> bool:
 
 def change_equation(output) -> bool:
     return replace_data(output, "text/latex", lambda latex: latex.replace("$", "$-", 1))
+
+
+def change_page(output) -> bool:
+    return replace_data(output, "text/html", lambda page: page.replace("2", "3", 1))
 
 
 def change_picture(output) -> bool:
@@ -197,6 +247,16 @@ def keep_times(notebook):
     code_cells(notebook)[0].metadata.execution = {}
 
 
+def exempt(notebook):
+    code_cells(notebook)[1].metadata.tags = ["nbval-ignore-output"]
+
+
+CHANGES = {
+    "digit": change_digit,
+    "equation": change_equation,
+    "page": change_page,
+    "picture": change_picture,
+}
 SPOILS = {
     "stripped": (strip, "was never run"),
     "disordered": (disorder, "was not run from top to bottom in a fresh kernel"),
@@ -204,6 +264,7 @@ SPOILS = {
     "failed": (fail, "stores an error"),
     "with_widgets": (keep_widgets, "stores the state of widgets"),
     "with_times": (keep_times, "stores the times of its execution"),
+    "exempt": (exempt, "exempts a cell from being compared"),
 }
 
 

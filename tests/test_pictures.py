@@ -59,7 +59,7 @@ def test_noise_as_of_another_processor_is_not_seen():
     [
         {"label": "0.38"},
         {"label": "0.35"},
-        {"label": "−0.36"},
+        {"label": "\N{MINUS SIGN}0.36"},
         {"label": "036"},
         {"colour": "target"},  # of all pairs of colours those two are the nearest
         {"shift": 0.02},

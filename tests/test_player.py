@@ -1,11 +1,11 @@
 """The player: one self-contained page that holds the positions it was given, the same at every call."""
 
-import html
 import json
 import re
 
 import numpy as np
 import pytest
+from fake_browser import FakePage, page_in
 
 from lynx_common.course.player import player
 from lynx_common.errors import InputError
@@ -16,7 +16,7 @@ LINE = np.array([[0, 0, 0.1], [0.3, 0, 0.1]])
 
 
 def page(shown) -> str:
-    return html.unescape(re.search('srcdoc="([^"]*)"', shown.data).group(1))
+    return page_in(shown.data)
 
 
 def held(shown) -> dict:
@@ -70,10 +70,128 @@ def test_what_cannot_be_shown_is_refused(points, items):
         player(points, moving=items)
 
 
+LINK, TRACE, STILL = ("#4d4d4d", 5), ("#0072b2", 1.5), ("#c4c4c4", 4)
+
+
+def drawn(shown: FakePage, kind: tuple = LINK) -> np.ndarray:
+    """The one polyline of a kind, in pixels."""
+    (line,) = shown.drawings[0].of(*kind)
+    return line
+
+
 def test_a_view_from_above_has_x_to_the_right_and_y_up():
-    above, aside = (page(player(POINTS, from_above=option)) for option in (True, False))
-    assert "let turn = -1.5708, tilt = 1.5708," in above
-    assert "let turn = -1.1, tilt = 0.35," in aside
+    opened = FakePage(player(POINTS, from_above=True).data)
+    for frame in (0, 17):
+        opened.slide("time", frame)
+        away = drawn(opened) - drawn(opened)[0]
+        scale = away[1, 0] / (POINTS[frame, 1, 0] - POINTS[frame, 0, 0])
+        assert scale > 0
+        np.testing.assert_allclose(away, (POINTS[frame] - POINTS[frame, 0])[:, :2] * [scale, -scale], atol=0.1)
+
+
+def test_a_view_from_the_side_has_z_up_and_what_is_nearer_lower():
+    corners = np.array([[[0, 0, 0], [0, 0, 0.5], [0.5, 0, 0], [0, 0.5, 0]]])
+    origin, up, x, y = drawn(FakePage(player(corners).data))
+    assert up[0] == pytest.approx(origin[0])
+    assert up[1] < origin[1]
+    assert x[0] > y[0] > origin[0]  # seen from the front right
+    assert x[1] > origin[1]
+    assert y[1] < origin[1]
+    lengths = np.linalg.norm(np.array([up, x, y]) - origin, axis=1)
+    scale = np.sqrt((lengths**2).sum() / 2) / 0.5  # so it is in any parallel projection
+    assert lengths[0] / 0.5 == pytest.approx(scale * np.cos(0.35))
+
+
+def test_each_frame_has_its_links_trace_items_and_words():
+    opened = FakePage(player(POINTS, [LINE], ITEMS, seconds=3).data)
+    assert opened.run("elements.time.max") == 29
+    for frame in (0, 12, 29):
+        opened.slide("time", frame)
+        (drawing,) = opened.drawings
+        links = drawn(opened)
+        assert len(links) == 5
+        assert ((links > 0) & (links < [660, 420])).all()
+        np.testing.assert_allclose([disc[:2] for disc in drawing.discs], links)
+        squares = [(x, y) for x, y, size, colour in drawing.squares if (size, colour) == (14, "#e69f00")]
+        np.testing.assert_allclose(squares, links[:2])  # the items are joints here
+        trace = drawing.of(*TRACE)[-1]
+        assert len(trace) == frame + 1
+        assert trace[-1] == pytest.approx(links[-1])
+        assert len(drawn(opened, STILL)) == 2
+        x, y, z = POINTS[frame, -1]
+        said = re.fullmatch(r"tip \((.*), (.*), (.*)\) m", opened.text[-1]).groups()
+        assert [float(number) for number in said] == pytest.approx([x, y, z], abs=6e-4)
+        names = {text: colour for text, *_, colour in drawing.words}
+        assert names == {"x": "#d55e00", "y": "#009e73", "z": "#0072b2"}
+
+
+def test_items_of_a_radius_are_discs_at_the_scale_of_the_picture():
+    corners = np.array([[[0, 0, 0], [0, 0.5, 0]]])
+    opened = FakePage(player(corners, moving=corners[:, 1:], radius=0.1, from_above=True).data)
+    (x, y, radius, _) = opened.drawings[0].discs[0]
+    start, end = drawn(opened)
+    assert (x, y) == pytest.approx(end)
+    assert radius == pytest.approx(np.linalg.norm(end - start) / 5)
+
+
+def test_it_plays_pauses_and_is_scrubbed():
+    opened = FakePage(player(POINTS, seconds=3).data)
+    opened.frames(1000, 1050, 2000)
+    assert opened.run("+elements.time.value") == 10  # a second of three, of 30 frames
+    opened.frames(3950, 4000)
+    assert opened.run("+elements.time.value") == 0  # round again
+    opened.fire("play", "onclick")
+    opened.frames(4500, 5000)
+    assert opened.run("+elements.time.value") == 0
+    assert "play" in opened.text
+    opened.fire("play", "onclick")
+    opened.frames(6000, 6500)
+    assert opened.run("+elements.time.value") == 5
+    opened.run("seen(false)")
+    opened.frames(7000)
+    assert opened.run("+elements.time.value") == 5  # nobody looks
+    opened.run("seen(true)")
+    opened.frames(7000)
+    assert opened.run("+elements.time.value") == 10
+    opened.slide("time", 3)
+    opened.frames(7500)
+    assert opened.run("+elements.time.value") == 3  # a hand on the slider stops it
+
+
+def test_dragging_turns_the_view_and_letting_go_ends_it():
+    opened = FakePage(player(POINTS).data)
+    opened.fire("play", "onclick")
+    before = drawn(opened)
+    opened.fire("view", "onpointerdown", clientX=100, clientY=100, pointerId=1)
+    opened.fire("view", "onpointermove", clientX=100, clientY=130, pointerId=1)
+    tilted = drawn(opened)
+    assert tilted[:, 0] == pytest.approx(before[:, 0])
+    assert np.abs(tilted[:, 1] - before[:, 1]).max() > 1
+    opened.fire("view", "onpointermove", clientX=90, clientY=130, pointerId=1)
+    turned = drawn(opened)
+    assert np.abs(turned[:, 0] - tilted[:, 0]).max() > 1
+    opened.fire("view", "onpointerup")
+    opened.fire("view", "onpointermove", clientX=0, clientY=0, pointerId=1)
+    assert drawn(opened) == pytest.approx(turned)
+    # The floor's near side follows the finger: dragged to the right, it moves to the right.
+    opened = FakePage(player(np.array([[[0, 0, 0], [0, -0.5, 0]]])).data)
+    opened.fire("play", "onclick")
+    before = drawn(opened)
+    opened.fire("view", "onpointerdown", clientX=0, clientY=0, pointerId=1)
+    opened.fire("view", "onpointermove", clientX=15, clientY=0, pointerId=1)
+    after = drawn(opened)
+    assert after[1, 0] - after[0, 0] > before[1, 0] - before[0, 0]
+    opened.fire("view", "onpointermove", clientX=15, clientY=15, pointerId=1)
+    below = drawn(opened)
+    assert below[1, 1] - below[0, 1] > after[1, 1] - after[0, 1]
+
+
+@pytest.mark.parametrize(
+    "seconds", ["</script><script>alert(1)</script>", 0, -1, np.nan, np.inf, [1, 2], 1j, None], ids=repr
+)
+def test_seconds_are_one_number_above_0(seconds):
+    with pytest.raises(InputError, match="seconds"):
+        player(POINTS, seconds=seconds)
 
 
 def test_it_says_what_moves():

@@ -17,7 +17,7 @@ from .parallel import HOME
 
 SIGMA = sp.symbols("sigma_1:4", real=True)
 DEGREES = 180 / sp.pi
-ROUNDING = 1e-9  # of the reach: full stretch counts as reached
+ROUNDING = 1e-8  # of the reach: full stretch counts as reached; a page keeps nine digits of 1 + ROUNDING
 PALE = "#b8b8b8"  # the second of two shapes
 
 

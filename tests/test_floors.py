@@ -14,7 +14,7 @@ FLOORS = {
     0: ["errors", "reading", "symbolic", "dh", "screws", "arcs"],
     1: ["arm", "rrr"],
     2: ["workspace", "motion", "obstacles", "planner"],
-    3: ["drawing"],
+    3: ["drawing", "course.pictures"],
     4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
     5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
 }

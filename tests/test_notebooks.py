@@ -23,14 +23,14 @@ from lynx_common.course.kernel import METADATA, code_cells, execute
 from lynx_common.course.pictures import pixels
 
 SMALL = [
-    "import matplotlib.pyplot as plt\nfrom IPython.display import HTML, Math\nfrom ipywidgets import Image",
     "print(0.2156, 0.373429)",
-    "Math(r'$\\sqrt{x}$')",
+    "from IPython.display import HTML, Math\nMath(r'$\\sqrt{x}$')",
+    "HTML('<p>12</p>')",
+    "import matplotlib.pyplot as plt",
     "plt.plot([0, 1], [0, 2], 'o')\nplt.show()",
     "plt.title('no text from this cell');",
-    "Image(value=b'', alt='a widget')",
+    "from ipywidgets import Image\nImage(value=b'', alt='a widget')",
     "",
-    "HTML('<p>12</p>')",
     "try:\n    assert False\nexcept AssertionError:\n    print('asserts count')",
     "with open('text.txt', encoding=None) as text:\n    print(text.read())",
     "1 + 1",

@@ -4,6 +4,7 @@ import functools
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib as mpl
 import nbformat
@@ -43,36 +44,79 @@ def solved(notebook: str) -> list[str]:
     ]
 
 
+class Run(NamedTuple):
+    """What came of running every notebook of the ledger, all answers filled in."""
+
+    checked: dict[str, object]  # by key: what was handed to ``report.check``
+    said: dict[str, str]  # by exercise: what is said of the answer
+    unlabelled: list[str]  # axes without a name and a unit
+    failures: dict[str, str]  # by notebook that did not come to its end: why
+
+
 @pytest.fixture(scope="module")
-def run() -> tuple[dict[str, object], dict[str, str]]:
-    """What every notebook of the ledger, all answers filled in, hands to ``report.check``, by key; and what is
-    said of the answers, by exercise. The notebooks are run here.
-    """
-    calls: dict[str, object] = {}
-    said: dict[str, str] = {}
+def run() -> Run:
+    found = Run({}, {}, [], {})
     mpl.use("agg")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(report, "check", lambda key, derived: calls.update({key: derived}))
+        patch.setattr(report, "check", lambda key, derived: found.checked.update({key: derived}))
         patch.setattr(
-            exercises, "check", lambda name, answer: said.update({name: exercises.catalogue()[name].judge(answer)})
+            exercises,
+            "check",
+            lambda name, answer: found.said.update({name: exercises.catalogue()[name].judge(answer)}),
         )
-        patch.setattr(figures, "show", lambda fig, caption: mpl.pyplot.close(fig))
+        patch.setattr(figures, "show", lambda fig, caption: found.unlabelled.extend(unlabelled(fig, caption)))
         for name in explorers.__all__:  # nbval runs these, too, and they take time
             patch.setattr(explorers, name, lambda *_: None)
         for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
             namespace: dict[str, object] = {}
-            for cell in solved(notebook):
-                exec(cell, namespace)
-    return calls, said
+            try:
+                for cell in solved(notebook):
+                    exec(cell, namespace)
+            except Exception as fault:
+                found.failures[notebook] = repr(fault)
+    return found
+
+
+# What has no unit: counts, shares, names.
+PURE = re.compile(r"share|part of|pose$|samples|cubes|\$\\det A\$ /")
+
+
+NUMBER = r"[\N{MINUS SIGN}\d.]*"  # of a tick
+
+
+def unlabelled(fig: mpl.figure.Figure, caption: str) -> list[str]:
+    """Axes of a figure whose numbers have no name with a unit in brackets."""
+    faults = []
+    for ax in [ax for ax in fig.axes if ax.axison]:
+        for name in {"x", "y", "z"} & {*ax._axis_map}:
+            axis = getattr(ax, f"{name}axis")
+            label, ticks = axis.get_label().get_text(), [text.get_text() for text in axis.get_majorticklabels()]
+            numbers = any(ticks) and all(re.fullmatch(NUMBER, text) for text in ticks)
+            if numbers and not re.search(r"\[.+\]$", label) and not PURE.match(label):
+                faults.append(f"{name} = {label!r} in: {caption[:50]}")
+    mpl.pyplot.close(fig)
+    return faults
 
 
 @pytest.fixture(scope="module")
 def checked(run) -> dict[str, object]:
-    return run[0]
+    return run.checked
 
 
-def test_every_answer_filled_in_is_right_in_its_own_notebook(run):
-    assert run[1] == dict.fromkeys(exercises.catalogue(), "correct.")
+def test_every_notebook_comes_to_its_end_with_all_answers_right(run):
+    assert run.failures == {}
+    assert run.said == dict.fromkeys(exercises.catalogue(), "correct.")
+
+
+def test_the_axes_of_every_figure_have_a_name_and_a_unit(run):
+    assert run.unlabelled == []
+
+
+@pytest.mark.parametrize(("label", "fault"), [("r [m]", 0), ("share of time", 0), ("r", 1), ("", 1), ("r, m", 1)])
+def test_an_axis_without_a_unit_is_seen(label, fault):
+    fig, ax = mpl.pyplot.subplots()
+    ax.set(xlabel=label, ylabel="z [m]")
+    assert len(unlabelled(fig, "a figure")) == fault
 
 
 def test_every_numbered_item_of_the_report_is_there():
@@ -86,43 +130,36 @@ def test_every_numbered_item_of_the_report_is_there():
     assert {key for key in report.LEDGER if not key.startswith("claim")} == keys
 
 
-def test_section_2_is_complete():
-    keys = {f"eq. 2.{i}" for i in range(1, 14)} | {
-        f"{kind} 2.{i}" for kind in ("Table", "Fig.") for i in range(1, 5)
-    }
-    assert keys <= report.LEDGER.keys()
-
-
-@pytest.mark.parametrize("key", report.LEDGER)
-def test_each_item_is_checked_by_an_executed_cell_of_its_notebook(key):
-    item = report.LEDGER[key]
-    cells = [cell for cell in code_cells(item.notebook) if f'report.check("{key}"' in cell.source]
-    assert len(cells) == 1
-    printed = "".join(output.get("text", "") for output in cells[0].outputs)
-    assert f"{key} {item.verdict}\n" in printed
+def test_each_item_is_checked_by_an_executed_cell_of_its_notebook():
+    for key, item in report.LEDGER.items():
+        cells = [cell for cell in code_cells(item.notebook) if f'report.check("{key}"' in cell.source]
+        assert len(cells) == 1, key
+        printed = "".join(output.get("text", "") for output in cells[0].outputs)
+        assert f"{key} {item.verdict}\n" in printed
 
 
 PRINTOUTS = {"Fig. 1.5", "Fig. 1.6", "Fig. 2.2"}  # of a console; tables here
 
 
-@pytest.mark.parametrize("key", [key for key in report.LEDGER if key.startswith("Fig.")])
-def test_each_figure_is_published_by_its_notebook_or_is_a_table(key):
-    notebook = NOTEBOOKS / f"{report.LEDGER[key].notebook}.ipynb"
-    assert any(execute.is_called(n, key[5:]) for n in execute.published(notebook)) == (key not in PRINTOUTS)
+def test_each_figure_is_published_by_its_notebook_or_is_a_table():
+    for key in [key for key in report.LEDGER if key.startswith("Fig.")]:
+        published = execute.published(NOTEBOOKS / f"{report.LEDGER[key].notebook}.ipynb")
+        assert any(execute.is_called(number, key[5:]) for number in published) == (key not in PRINTOUTS), key
 
 
-@pytest.mark.parametrize("key", report.LEDGER)
-def test_a_flipped_verdict_is_refused(key, checked, monkeypatch):
+def test_a_flipped_verdict_is_refused(checked, monkeypatch):
     """What the notebook derived passes with the recorded verdict, and with neither of the other two kinds."""
-    item, derived = report.LEDGER[key], checked[key]
-    report.check(key, derived)
-    others = {"holds": "holds", "holds, if": "holds, if so", "wrong": "wrong: not so"}
-    del others[item.kind]
-    for verdict in others.values():
-        flipped = replace(item, verdict=verdict, because="it is", condition={x: y}, right=item.value)
-        monkeypatch.setitem(report.LEDGER, key, flipped)
-        with pytest.raises(LedgerError):
-            report.check(key, derived)
+    verdicts = {"holds": "holds", "holds, if": "holds, if so", "wrong": "wrong: not so"}
+    for key, derived in checked.items():
+        item = report.LEDGER[key]
+        report.check(key, derived)
+        for verdict in (verdict for kind, verdict in verdicts.items() if kind != item.kind):
+            flipped = replace(item, verdict=verdict, because="it is", condition={x: y}, right=item.value)
+            monkeypatch.setitem(report.LEDGER, key, flipped)
+            with pytest.raises(LedgerError):
+                report.check(key, derived)
+        monkeypatch.setitem(report.LEDGER, key, item)
+    assert checked.keys() == report.LEDGER.keys()
 
 
 def test_a_wrong_derivation_is_refused_for_every_kind_of_verdict(checked):
@@ -195,13 +232,12 @@ def test_an_item_that_does_not_hold_says_why(verdict, kind):
     assert Item("eq. 9.9", because="at y = 1 it is another", **facts).kind == kind
 
 
-@pytest.mark.parametrize("key", [key for key, item in report.LEDGER.items() if item.because])
-def test_a_reason_is_one_short_clause_that_the_verdict_does_not_repeat(key):
-    item = report.LEDGER[key]
-    assert item.kind != "holds"
-    assert len(item.because.split()) <= 24
-    assert not item.because.endswith(".")
-    assert item.because not in item.verdict
+def test_a_reason_is_one_short_clause_that_the_verdict_does_not_repeat():
+    for item in (item for item in report.LEDGER.values() if item.because):
+        assert item.kind != "holds", item.key
+        assert len(item.because.split()) <= 24, item.key
+        assert not item.because.endswith("."), item.key
+        assert item.because not in item.verdict, item.key
 
 
 def test_an_unknown_key_gets_the_list_of_known_ones():

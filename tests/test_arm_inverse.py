@@ -178,6 +178,17 @@ def test_within_limits_at_the_limits_and_beyond():
     assert arm.within_limits(np.zeros((2, 0, 5))).shape == (2, 0)
 
 
+@pytest.mark.parametrize(("beyond", "allowed"), [(1e-10, True), (1e-7, False)])
+def test_room_at_a_limit_is_for_rounding_only(beyond, allowed):
+    for joint, (lower, upper) in enumerate(arm.JOINT_LIMITS):
+        if upper - lower > 6.28:
+            continue  # a full turn has no outside
+        for angle in (lower - beyond, upper + beyond):
+            q = arm.JOINT_LIMITS.mean(axis=1)
+            q[joint] = angle
+            assert arm.within_limits(q) == allowed
+
+
 def test_a_wrist_bent_back_is_within_limits_a_turn_later():
     """theta_4 = -170 deg is 190 deg, which the wrist can take; `solve` gives it so."""
     q = np.pi / 180 * np.array([0, 90, 60, -170, 0])
@@ -248,6 +259,14 @@ def test_on_the_base_axis_the_azimuth_is_the_gripper_s_own_and_zero_for_an_uprig
         assert task[1] == 0
         again = arm.forward_kinematics(np.concatenate([[task[0]], [0, 0], [task[3] + np.pi / 2], [task[4]]]))
         np.testing.assert_allclose(again[:3, :3], shifted[:3, :3], atol=1e-12)
+
+
+def test_a_tenth_of_a_micrometre_beside_the_base_axis_has_an_azimuth_of_its_own():
+    """The gripper points back over the axis there, so that the two possible azimuths are opposite."""
+    task = np.array([0.7, 1e-7, 0.3, 2.8, 0.2])
+    for q in arm.joint_angles(task):
+        found = arm.task_of_pose(arm.forward_kinematics(q))
+        np.testing.assert_allclose(found, task, atol=1e-8)
 
 
 @pytest.mark.parametrize("leaves", [0.3, -0.02, 1e-4])

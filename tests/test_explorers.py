@@ -2,6 +2,7 @@
 
 import functools
 import io
+import re
 
 import ipywidgets as widgets
 import numpy as np
@@ -442,3 +443,27 @@ def test_singularity_moves_the_point_on_the_map_the_arm_and_the_ellipse():
     across, up = middle(image, orange, True) - point
     assert abs(across) < 3
     assert up > 30
+
+
+OPEN = {
+    "arm": (explorers.arm_explorer, [0, 0, 0, 90, 0]),
+    "reach": (explorers.reach_explorer, [0.3, 0, 0.1, 0]),
+    "singularity": (explorers.singularity_explorer, [0, -90]),
+    "parallel": (explorers.parallel_explorer, [0, 0, 0]),
+    "detour": (explorers.detour_explorer, [-0.2, 0.6, 0.15, 0.05]),
+}
+
+
+@pytest.mark.parametrize("name", OPEN)
+def test_numbers_are_rounded_and_none_is_minus_zero(name):
+    """At places where the exact number is 0, so that rounding errors of either sign are all that is left."""
+    make, values = OPEN[name]
+    panel, _ = opened(make).children
+    sliders = [w for w in panel.children if isinstance(w, widgets.FloatSlider)]
+    for slider, value in zip(sliders, values, strict=True):
+        slider.value = value
+    text = " ".join(widget.value for widget in panel.children if isinstance(widget, widgets.HTML))
+    numbers = re.findall(r"-?\d+(?:\.\d+)?", re.sub(r"<[^>]*>|T_0_5", " ", text))
+    assert len(numbers) > 2
+    assert [number for number in numbers if number.startswith("-") and float(number) == 0] == []
+    assert all(len(number.partition(".")[2]) <= 4 for number in numbers)

@@ -290,6 +290,32 @@ def test_without_a_sample_at_full_stretch_the_elbow_stays_on_its_side():
     assert (theta_3 > 0).all() or (theta_3 < 0).all()
 
 
+def test_nearly_at_full_stretch_is_not_at_full_stretch():
+    """With theta_3 at 0.006 deg the elbow has its side: a path that turns back there keeps it, and q is known."""
+    q = np.array([0.3, 0.4, 1e-4, 1.2, 0.1])
+    task = arm.task_coordinates(np.array([q + [0, 0, 0.5, 0, 0], q, q * [1, 1, -1, 1, 1] - [0, 0, 0.5, 0, 0]]))
+    signs = np.sign(motion.follow(task).q[:, 2])
+    assert abs(signs.sum()) == 3
+    assert np.isfinite(motion.joint_velocities(q, [0, 1, 0, 0, 0])).all()
+    assert np.isnan(motion.joint_velocities(q * [1, 1, 1e-3, 1, 1], [0, 1, 0, 0, 0])).all()
+
+
+def test_room_for_rounding_is_no_more_than_that():
+    """A parameter, a join, a line beside the base axis: a tenth of a micrometre is seen, a thousandth is not."""
+    start, middle, end = np.zeros(5), np.array([0, 0.1, 0, 0, 0]), np.array([0, 0.1, 0.1, 0, 0])
+    path = motion.line(start, middle)
+    path(1 + 1e-10)
+    motion.joined(path, motion.line(middle + 1e-10, end))
+    for refused in (lambda: path(1 + 1e-7), lambda: motion.joined(path, motion.line(middle + 1e-7, end))):
+        with pytest.raises(InputError):
+            refused()
+    for aside, turned in ((1e-10, 0), (1e-7, np.pi)):
+        beside = motion.space_line([0.2, aside, 0], [-0.2, aside, 0], (0, 0))
+        azimuth, r, *_ = beside(np.array([0.0, 1.0])).T
+        assert azimuth[1] - azimuth[0] == pytest.approx(turned, abs=1e-5)
+        assert r[1] == pytest.approx(0.2 if turned else -0.2)
+
+
 def test_the_elbow_may_change_from_the_higher_to_the_lower_where_the_wrist_crosses_the_vertical():
     """There the rows of `arm.joint_angles` change places, and a motion does not."""
     task = motion.line([0, 0.1, 0.4, np.pi / 2, 0], [0, -0.1, 0.4, np.pi / 2, 0])(np.linspace(0, 1, 50))

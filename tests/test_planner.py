@@ -434,6 +434,16 @@ def test_a_start_or_goal_outside_the_limits_is_named(value):
         assert (type(cause), cause.joint, cause.value, cause.limits) == (JointLimitError, 2, value, (-1, 1))
 
 
+@pytest.mark.parametrize(("beyond", "allowed"), [(1e-10, True), (1e-7, False)])
+def test_room_at_a_limit_is_for_rounding_only(beyond, allowed):
+    goal = [0, 1 + beyond]
+    if allowed:
+        assert planner.plan(everywhere, SQUARE, LEFT, goal).cost > 0
+    else:
+        with pytest.raises(EndpointError):
+            planner.plan(everywhere, SQUARE, LEFT, goal)
+
+
 def test_ends_on_the_limits_are_within_them():
     over = [[-1 - 1e-10, -1], [1, 1 + 1e-10]]
     assert planner.plan(everywhere, SQUARE, *over).cost == pytest.approx(2 * np.sqrt(2))

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..reading import real
-from .circles import BESIDE, arcs_of, cuts_of, distinct, on
+from .circles import arcs_of, beside, cuts_of, distinct, on
 
 
 class Region:
@@ -64,9 +64,10 @@ class Region:
         pieces = [len(c) for c in cuts]
         x, y, rho = np.repeat(circles, pieces, axis=0).T
         middle = np.concatenate([c + np.diff(c, append=c[0] + 2 * np.pi) / 2 for c in cuts])
-        radii = rho + BESIDE * rho.max() * np.array([[-1], [1]])
-        beside = np.stack([x + radii * np.cos(middle), y + radii * np.sin(middle)], axis=-1)
-        inner, outer = np.asarray(self.contains(beside), int)
+        outwards = np.stack([np.cos(middle), np.sin(middle)], axis=-1)
+        points = np.stack([x, y], axis=-1) + rho[:, None] * outwards
+        step = beside(circles, points)[:, None] * outwards
+        inner, outer = np.asarray(self.contains(np.stack([points - step, points + step])), int)
         turns = np.split(inner - outer, np.cumsum(pieces)[:-1])  # +1: the inside is within the circle
         arcs = [arc for one in zip(circles, cuts, turns, strict=True) for arc in arcs_of(*one)]
         return np.reshape(arcs, (-1, 5))

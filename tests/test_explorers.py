@@ -3,6 +3,7 @@
 import functools
 import io
 import re
+from pathlib import Path
 
 import ipywidgets as widgets
 import numpy as np
@@ -467,3 +468,11 @@ def test_numbers_are_rounded_and_none_is_minus_zero(name):
     assert len(numbers) > 2
     assert [number for number in numbers if number.startswith("-") and float(number) == 0] == []
     assert all(len(number.partition(".")[2]) <= 4 for number in numbers)
+
+
+def test_every_number_that_an_explorer_writes_is_kept_from_minus_zero():
+    """By the option z of its format, which no place forgets."""
+    sources = [path.read_text(encoding="utf-8") for path in Path(explorers.__file__).parent.glob("*.py")]
+    formats = [found for source in sources for found in re.findall(r"\{[^{}\"]*:([^{}\"]*\.\d+f)\}", source)]
+    assert len(formats) > 15
+    assert all(found.startswith("z") for found in formats)

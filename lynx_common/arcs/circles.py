@@ -2,9 +2,8 @@
 
 import numpy as np
 
-# Shares of the largest circle's radius: what counts as one point, and how far beside a piece it is asked at most
-# which side is inside. Where another circle is nearer, half of its distance is taken.
-SAME, BESIDE = 1e-10, 1e-7
+# What counts as one point, as a share of the largest circle's radius.
+SAME = 1e-10
 
 
 def distinct(circles: np.ndarray) -> np.ndarray:
@@ -30,13 +29,12 @@ def cuts_of(circles: np.ndarray, i: int) -> np.ndarray:
     return cuts if len(cuts) else np.zeros(1)
 
 
-def beside(circles: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """How far from points (n, 2), each on one of the circles, no other circle is in between: (n,)."""
-    scale = circles[:, 2].max()
+def beside(circles: np.ndarray, points: np.ndarray, rho: np.ndarray) -> np.ndarray:
+    """How far to go from points (n, 2) on circles of radius rho, (n,), so that no circle is in between: (n,)."""
     away = np.hypot(points[:, None, 0] - circles[:, 0], points[:, None, 1] - circles[:, 1])
     gaps = np.abs(away - circles[:, 2])
-    nearest = np.where(gaps > SAME * scale, gaps, np.inf).min(axis=1)  # its own circle, and what touches it, aside
-    return np.minimum(BESIDE * scale, nearest / 2)
+    gaps[gaps <= SAME * circles[:, 2].max()] = np.inf  # the circle itself
+    return np.minimum(gaps.min(axis=1), rho) / 2
 
 
 def arcs_of(circle: np.ndarray, cuts: np.ndarray, turn: np.ndarray) -> list[tuple]:

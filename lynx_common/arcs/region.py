@@ -66,7 +66,7 @@ class Region:
         middle = np.concatenate([c + np.diff(c, append=c[0] + 2 * np.pi) / 2 for c in cuts])
         outwards = np.stack([np.cos(middle), np.sin(middle)], axis=-1)
         points = np.stack([x, y], axis=-1) + rho[:, None] * outwards
-        step = beside(circles, points)[:, None] * outwards
+        step = beside(circles, points, rho)[:, None] * outwards
         inner, outer = np.asarray(self.contains(np.stack([points - step, points + step])), int)
         turns = np.split(inner - outer, np.cumsum(pieces)[:-1])  # +1: the inside is within the circle
         arcs = [arc for one in zip(circles, cuts, turns, strict=True) for arc in arcs_of(*one)]

@@ -59,6 +59,6 @@ def _arm_view(geometry: arm.Geometry) -> Callable[[np.ndarray, bool], bytes]:
 
 
 def _pose_as_text(pose: np.ndarray) -> str:
-    rows = "\n".join(" ".join(f"{value:6.3f}" for value in np.round(row, 3) + 0.0) for row in pose)
-    x, y, z = np.round(pose[:3, 3], 4) + 0.0
-    return f"<pre>T_0_5 =\n{rows}\n\ngripper at\n({x:.4f}, {y:.4f}, {z:.4f}) m</pre>"
+    rows = "\n".join(" ".join(f"{value:z6.3f}" for value in row) for row in pose)
+    x, y, z = pose[:3, 3]
+    return f"<pre>T_0_5 =\n{rows}\n\ngripper at\n({x:z.4f}, {y:z.4f}, {z:z.4f}) m</pre>"

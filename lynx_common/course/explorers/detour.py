@@ -96,8 +96,8 @@ def _detour_view() -> Callable[[tuple[float, float], float, float, Way | None], 
 def _in_words(way: Way) -> str:
     length = np.hypot(*np.diff(way.task[:, 1:3], axis=0).T).sum()
     facts = (("length of the way", length), ("least clearance, gripper", way.tip.min()))
-    rows = [f"<tr><td>{name}</td><td>{round(value, 3) + 0.0:.3f} m</td></tr>" for name, value in facts]
+    rows = [f"<tr><td>{name}</td><td>{value:z.3f} m</td></tr>" for name, value in facts]
     whole = way.whole.min()
     collides = " (the links collide)" if whole < 0 else ""
-    rows.append(f"<tr><td>whole arm</td><td>{round(whole, 3) + 0.0:.3f} m{collides}</td></tr>")
+    rows.append(f"<tr><td>whole arm</td><td>{whole:z.3f} m{collides}</td></tr>")
     return f"<table>{''.join(rows)}</table>"

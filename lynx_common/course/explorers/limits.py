@@ -76,7 +76,7 @@ def _section_view(geometry: arm.Geometry) -> Callable[[dict[str, tuple[Region, R
 
 def _in_words(regions: dict[str, tuple[Region, Region]]) -> str:
     rows = [
-        f"<tr><td>{point}</td><td>{own.area * 1e4:.1f} cm²</td><td>{turned.volume * 1e3:.2f} litres</td></tr>"
+        f"<tr><td>{point}</td><td>{own.area * 1e4:z.1f} cm²</td><td>{turned.volume * 1e3:z.2f} litres</td></tr>"
         for point, (own, turned) in regions.items()
     ]
     return f"<table><tr><td></td><td>section</td><td>volume</td></tr>{''.join(rows)}</table>"

@@ -56,6 +56,6 @@ def _motion_view(q: np.ndarray, geometry: arm.Geometry) -> Callable[[int], bytes
 
 
 def _in_words(q: np.ndarray, geometry: arm.Geometry) -> str:
-    rows = "\n".join(f"θ{i} {angle:7.1f}°" for i, angle in zip("₁₂₃₄₅", np.rad2deg(q).round(1) + 0.0, strict=True))
-    x, y, z = np.round(arm.forward_kinematics(q, geometry)[:3, 3], 3) + 0.0
-    return f"<pre>{rows}\n\ngripper at\n({x:.3f}, {y:.3f}, {z:.3f}) m</pre>"
+    rows = "\n".join(f"θ{i} {angle:z7.1f}°" for i, angle in zip("₁₂₃₄₅", np.rad2deg(q), strict=True))
+    x, y, z = arm.forward_kinematics(q, geometry)[:3, 3]
+    return f"<pre>{rows}\n\ngripper at\n({x:z.3f}, {y:z.3f}, {z:z.3f}) m</pre>"

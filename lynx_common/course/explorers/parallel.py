@@ -103,7 +103,7 @@ def _in_words(pose: np.ndarray, mode: int, region: Region, geometry: rrr.Geometr
         place = "At this turn of the platform there is no workspace at all."
     else:
         inside = rrr.reachable(pose, geometry)
-        place = f"{distance:.1f} mm {'to' if inside else 'outside'} the boundary of the workspace"
+        place = f"{distance:z.1f} mm {'to' if inside else 'outside'} the boundary of the workspace"
     try:
         theta = rrr.solve(pose, mode, geometry)
     except AssemblyError as fault:
@@ -111,9 +111,9 @@ def _in_words(pose: np.ndarray, mode: int, region: Region, geometry: rrr.Geometr
     det_A, det_B = determinants(pose, theta, geometry)
     kind = KINDS[int(rrr.singularity_type(pose, theta, geometry))]
     rows = (
-        ("θ₁, θ₂, θ₃", ", ".join(f"{angle:.1f}°" for angle in np.round(np.rad2deg(theta), 1) + 0.0)),
-        ("det A", f"{np.round(det_A, 4) + 0.0:.4f}"),
-        ("det B", f"{np.round(det_B, 4) + 0.0:.4f}"),
+        ("θ₁, θ₂, θ₃", ", ".join(f"{angle:z.1f}°" for angle in np.rad2deg(theta))),
+        ("det A", f"{det_A:z.4f}"),
+        ("det B", f"{det_B:z.4f}"),
     )
     table = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows)
     return f"<table>{table}</table><p>{place}</p><p>{kind}</p>"

@@ -73,10 +73,10 @@ def _in_words(position: list[float], pitch: float, q: np.ndarray, geometry: arm.
     except LynxError:
         pass  # the joint limits are reported branch by branch
     rows = [
-        f"<tr><td>{side}, {elbow}</td><td>{' '.join(f'{angle:.0f}°' for angle in angles)}</td>"
+        f"<tr><td>{side}, {elbow}</td><td>{' '.join(f'{angle:z.0f}°' for angle in angles)}</td>"
         f"<td>{'' if inside else 'beyond a limit'}</td></tr>"
         for (side, elbow), angles, inside in zip(
-            arm.BRANCHES, np.rad2deg(q).round() + 0.0, arm.within_limits(q), strict=True
+            arm.BRANCHES, np.rad2deg(q), arm.within_limits(q), strict=True
         )
     ]
     return f"<table>{''.join(rows)}</table>"

@@ -79,11 +79,11 @@ def _in_words(J: np.ndarray, geometry: arm.Geometry) -> str:
         for name, factor in (("shoulder", r / reach), ("elbow", in_plane / reach**2))
         if abs(factor) < AT_FACTOR
     ]
-    slowest = "no joint speed will do" if zero else f"{1 / values[-1]:.2f} rad/s"
+    slowest = "no joint speed will do" if zero else f"{1 / values[-1]:z.2f} rad/s"
     rows = [
-        ("determinant", f"{np.linalg.det(J) + 0.0:.1f}" if not zero else "0"),
-        ("singular values", " ".join(f"{value:.2f}" for value in np.round(values, 2) + 0.0)),
-        ("square to the plane", f"{abs(r):.2f}"),
+        ("determinant", f"{np.linalg.det(J):z.1f}" if not zero else "0"),
+        ("singular values", " ".join(f"{value:z.2f}" for value in values)),
+        ("square to the plane", f"{abs(r):z.2f}"),
         ("speed 1 in the worst direction", slowest),
         ("singular", ", ".join(zero) or "no"),
     ]

@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from .reading import formulas
+
 
 class Row(NamedTuple):
     """One link of a DH table: lengths ``a`` and ``d`` in metres, angles in radians; symbols or numbers."""
@@ -39,16 +41,19 @@ def chain(table: Iterable[Row], link: Callable[[Row], sp.Matrix] = standard) -> 
 
 def rot_x(angle: sp.Expr) -> sp.Matrix:
     """Rotation by ``angle`` (radians) about x, (4, 4)."""
+    (angle,) = formulas(angle, "The angle")
     c, s = sp.cos(angle), sp.sin(angle)
     return sp.Matrix([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
 
 
 def rot_z(angle: sp.Expr) -> sp.Matrix:
     """Rotation by ``angle`` (radians) about z, (4, 4)."""
+    (angle,) = formulas(angle, "The angle")
     c, s = sp.cos(angle), sp.sin(angle)
     return sp.Matrix([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 
 
 def trans(x: sp.Expr, y: sp.Expr, z: sp.Expr) -> sp.Matrix:
     """Translation by (x, y, z), (4, 4)."""
+    x, y, z = formulas([x, y, z], "The translation")
     return sp.Matrix([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]])

@@ -60,7 +60,7 @@ def clearance(
     """
     if not 0 <= real(link_radius, "the radius of the links") < np.inf:
         raise InputError(f"The radius of the links is finite and not negative; {link_radius} was given.")
-    q = np.asarray(q)
+    q = real(q, "joint angles", 5)
     points = arm.joint_positions(q, geometry).reshape(-1, 5, 3)
     nearest = np.empty(len(points))
     for start in range(0, len(points), CHUNK):

@@ -4,7 +4,7 @@ Symbols and numbers never share a name: ``theta_2`` and ``L_1`` are symbols, ``q
 ``geometry`` are arrays and records of numbers.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from math import prod
 
@@ -23,6 +23,8 @@ P = sp.symbols("d_1 L_1:4", nonnegative=True)
 # pitch and roll of the gripper; and the wrist in that plane, seen from the shoulder.
 TASK = sp.symbols("azimuth r z pitch roll", real=True)
 WRIST = sp.symbols("r_wrist h", real=True)
+
+ANGLES = {*Q, TASK[0], TASK[3], TASK[4]}
 
 # One row of a DH table, in general; report eq. (1.1).
 ROW = sp.symbols("a alpha d theta", real=True)
@@ -50,7 +52,7 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
 
     Parameters
     ----------
-    expr : expression, column matrix of n entries, or matrix of shape (m, n)
+    expr : expression, column matrix of n entries, or matrix of shape (m, n); lists of these will do
     *vectors : sequences of symbols, e.g. the joint angles ``Q`` and the lengths ``P``
 
     Returns
@@ -58,19 +60,32 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     f : callable
         ``f(q, p)`` takes real arrays of shape (..., len(Q)) and (..., len(P)), whose leading axes
         broadcast as in NumPy, and returns float64 of shape (...), (..., n) or (..., m, n). Where an
-        input is NaN or infinite, the whole entry of the batch is NaN. Raises InputError for complex
-        input and for a last axis of another length.
+        input is NaN or infinite, the whole entry of the batch is NaN; so is a value outside a function's
+        domain. Raises InputError for complex input, a last axis of another length, and another number of arrays.
+
+    Raises InputError for an expression that is complex, is text, or holds symbols that no vector lists.
+
+    >>> x = sp.Symbol("x", real=True)
+    >>> numeric(x**2, (x,))([[1.0], [3.0]])
+    array([1., 9.])
     """
-    vectors = tuple(map(tuple, vectors))
-    matrix = expr if isinstance(expr, sp.MatrixBase) else sp.Matrix([expr])
-    shape = () if matrix is not expr else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
+    vectors, matrix = _vectors(vectors), _real_valued(reading.formulas(expr))
+    one = np.isscalar(expr) or (isinstance(expr, sp.Expr) and not expr.is_Matrix)
+    shape = () if one else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
     entries = tuple(matrix)
     if missing := matrix.free_symbols.difference(*vectors):
         names = ", ".join(sorted(map(str, missing)))
         raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
+    turning = [[i for i, symbol in enumerate(vector) if symbol in ANGLES] for vector in vectors]
 
     def f(*arrays: np.ndarray) -> np.ndarray:
+        if len(arrays) != len(vectors):
+            wanted = " and ".join(map(_named, vectors)) or "none"
+            raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
         arrays = [real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
+        for x, symbols, angular in zip(arrays, vectors, turning, strict=True):
+            if angular:
+                reading.warn_of_degrees(x[..., angular] if len(angular) < len(symbols) else x, _named(symbols))
         batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
         size = prod(batch)
         flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
@@ -84,9 +99,38 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     return f
 
 
+def _vectors(vectors: Sequence[Sequence[sp.Symbol]]) -> tuple[tuple[sp.Symbol, ...], ...]:
+    """Vectors of symbols as tuples; InputError where one is none, or a symbol stands in two places."""
+    for vector in vectors:
+        if isinstance(vector, str) or not isinstance(vector, Iterable):
+            raise InputError(f"Vectors of symbols, such as (x,), are expected, not {reading.shortened(vector)}.")
+    vectors = tuple(map(tuple, vectors))
+    symbols = [symbol for vector in vectors for symbol in vector]
+    for symbol in symbols:
+        if not isinstance(symbol, sp.Symbol):
+            raise InputError(f"Vectors of symbols are expected; one of them holds {reading.shortened(symbol)}.")
+        if symbols.count(symbol) > 1:
+            raise InputError(f"The symbol {symbol} is listed twice.")
+    return vectors
+
+
+def _real_valued(matrix: sp.MatrixBase) -> sp.MatrixBase:
+    """``matrix`` without the imaginary unit, for real symbols; InputError where it does not go away."""
+    if not matrix.has(sp.I):
+        return matrix
+    as_real = {symbol: sp.Dummy(symbol.name, real=True) for symbol in matrix.free_symbols}
+    expanded = matrix.xreplace(as_real).applyfunc(lambda entry: sp.simplify(entry.expand(complex=True)))
+    if complex_ones := [entry for entry, found in zip(matrix, expanded, strict=True) if found.has(sp.I)]:
+        raise InputError(f"The expression is complex: {complex_ones[0]}. Only real ones become functions.")
+    return expanded.xreplace({dummy: symbol for symbol, dummy in as_real.items()})
+
+
 @cache
 def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...], ...]) -> Callable:
-    return sp.lambdify(vectors, list(entries), modules="numpy", cse=True)
+    try:
+        return sp.lambdify(vectors, list(entries), modules="numpy", cse=True)
+    except NotImplementedError as fault:
+        raise InputError(f"The expression has no NumPy function: {str(fault).partition(chr(10))[0]}.") from None
 
 
 def real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
@@ -105,7 +149,7 @@ def _flat(x: np.ndarray, batch: tuple[int, ...], size: int) -> np.ndarray:
 
 @cache
 def _named(symbols: tuple[sp.Symbol, ...]) -> str:
-    return f"({', '.join(map(str, symbols))})" if len(symbols) > 1 else str(symbols[0])
+    return f"({', '.join(map(str, symbols))})" if len(symbols) != 1 else str(symbols[0])
 
 
 def _fill(out: np.ndarray, function: Callable, arrays: list[np.ndarray]) -> None:
@@ -113,7 +157,13 @@ def _fill(out: np.ndarray, function: Callable, arrays: list[np.ndarray]) -> None
     columns = [np.ascontiguousarray(x.T) for x in arrays]
     values = np.empty(out.shape[::-1])
     with np.errstate(invalid="ignore"):  # outside a function's domain is NaN here, without a warning
-        for row, value in zip(values, function(*columns), strict=True):
+        try:
+            computed = function(*columns)
+        except (NameError, TypeError, AttributeError) as fault:
+            raise InputError(f"The expression has no NumPy function: {fault}.") from None
+        for row, value in zip(values, computed, strict=True):
+            if np.iscomplexobj(value):
+                raise InputError("The expression is complex, such as a root of a negative number is.")
             row[:] = value
     for x in columns:
         finite = np.isfinite(x)
@@ -130,6 +180,7 @@ def tidy(expr: sp.Expr | sp.MatrixBase) -> sp.Expr | sp.MatrixBase:
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(tidy)
+    (expr,) = reading.formulas(expr)
     expanded = sp.expand(expr)
     without_squared_sines = sp.expand(TR5(expanded))
     ways = [expanded] if without_squared_sines == expanded else [expanded, without_squared_sines]

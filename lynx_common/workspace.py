@@ -6,14 +6,15 @@ plane of the arm: signed r along its azimuth, and z, in metres.
 """
 
 from dataclasses import dataclass
-from math import floor, prod
+from math import prod
 
 import numpy as np
 
 from . import arm
 from .arcs import Region
-from .errors import InputError
+from .errors import InputError, told_apart
 from .reading import limits as read_limits
+from .reading import real
 from .symbolic import CHUNK
 
 POINTS = {"wrist": 3, "gripper": 4}  # rows of ``arm.joint_positions``
@@ -23,6 +24,7 @@ POINTS = {"wrist": 3, "gripper": 4}  # rows of ``arm.joint_positions``
 SAME, PLACES = 1e-9, 2**32
 
 LARGEST_GRID = 10**9  # bytes, one a voxel
+LARGEST_SWEEP = 10**8  # postures
 
 
 @dataclass(frozen=True)
@@ -60,11 +62,16 @@ def sweep(limits: np.ndarray, step: float, point: str = "wrist", geometry: arm.G
 
     No more is computed than differs: theta_1 only turns the picture, and theta_4 does not move the wrist.
     Points are distinct to 1e-9 m. Raises InputError where limits are reversed, or where ``step`` (radians) is not
-    positive or larger than a joint's range.
+    positive, larger than a joint's range, or so small that more than 100 million postures would be computed.
     """
     limits, row, unit = read_limits(limits, 4), _row(point), SAME * max(1, sum(geometry))
-    azimuth, *values = (_values(joint, *pair, step) for joint, pair in enumerate(limits, start=1))
-    combinations = len(azimuth) * prod(map(len, values))
+    counts = [_count(joint, *pair, step) for joint, pair in enumerate(limits, start=1)]
+    needed = max(counts[0], prod(map(float, counts[1:3] if point == "wrist" else counts[1:])))
+    if needed > LARGEST_SWEEP:
+        most = f"{LARGEST_SWEEP:.0e} are allowed"
+        raise InputError(f"With a step of {step:g} rad {needed:.2g} postures would be computed; {most}.")
+    azimuth, *values = (low + step * np.arange(count) for (low, _), count in zip(limits, counts, strict=True))
+    combinations = prod(counts)
     if point == "wrist":
         values[2] = values[2][:1]
     at_once, found = max(1, 16 * CHUNK // prod(map(len, values[1:]))), []
@@ -82,9 +89,11 @@ def occupancy(points: Sweep, edge: float) -> Occupancy:
 
     Raises InputError where the edge is not positive, or so small that the grid would take more than 1 GB.
     """
-    if not (np.isfinite(edge) and edge > 0):
+    if real(edge, "the edge of a voxel").shape or not 0 < edge < np.inf:
         raise InputError(f"The edge of a voxel is a positive length in metres; {edge} was given.")
     x, low, high = np.abs(points.r).max(), points.z.min(), points.z.max()
+    if edge < 1e-6 * max(x, high - low):
+        raise InputError(f"An edge of {edge} m is less than a millionth of the workspace.")
     half, tall = round(x / edge), round((high - low) / edge) + 1
     wide = 2 * half + 1
     if (size := wide * wide * tall) > LARGEST_GRID:
@@ -145,12 +154,11 @@ def _row(point: str) -> int:
     return POINTS[point]
 
 
-def _values(joint: int, lower: float, upper: float, step: float) -> np.ndarray:
-    """Angles from the lower limit up to the upper one; the last may fall short of it."""
-    if not (np.isfinite(step) and step > 0):
+def _count(joint: int, lower: float, upper: float, step: float) -> int:
+    """How many angles there are from the lower limit up to the upper one; the last may fall short of it."""
+    if real(step, "the step").shape or not 0 < step < np.inf:
         raise InputError(f"The step is a positive angle in radians; {step} was given.")
     if 0 < upper - lower < step * (1 - SAME):
-        raise InputError(
-            f"A step of {step:.4f} rad is larger than the range of joint {joint}, {upper - lower:.4f} rad."
-        )
-    return lower + step * np.arange(floor((upper - lower) / step + SAME) + 1)
+        given, most = told_apart(step, upper - lower)
+        raise InputError(f"A step of {given} rad is larger than the range of joint {joint}, {most} rad.")
+    return int((upper - lower) / step + SAME) + 1

@@ -1,6 +1,7 @@
 """Every error class of the package, by a call that gets it."""
 
 import inspect
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -75,3 +76,44 @@ def test_a_call_gets_this_error_with_its_facts_in_a_sentence(kind):
     assert facts or kind is errors.InputError
     numbers = [value for value in facts.values() if isinstance(value, int | float)]
     assert np.isfinite(numbers).all()
+
+
+# A sentence does not contradict itself by rounding.
+
+TINY = (1e-3, 1e-6, 1e-9, 1e-12)
+LIMIT = np.deg2rad(150)
+CLOSE: dict[type[LynxError], Callable[[float], LynxError]] = {
+    errors.OutOfReachError: lambda e: errors.OutOfReachError(0.4 + e, 0.0, 0.4),
+    errors.JointLimitError: lambda e: errors.JointLimitError(3, LIMIT + e, -LIMIT, LIMIT),
+    errors.NotAchievableError: lambda e: errors.NotAchievableError(e),
+    errors.JumpError: lambda e: errors.JumpError(4, 1, np.pi / 2 + e, np.pi / 2),
+    errors.CollisionError: lambda e: errors.CollisionError(0.03 - e, 0.03),
+    errors.AssemblyError: lambda e: errors.AssemblyError([1, 3], [300 + e, 300 + 2 * e], 40, 300),
+    errors.NoPathError: lambda e: errors.NoPathError(10, 4, e),
+    errors.ScrewError: lambda e: errors.ScrewError("An axis must be a unit vector", 1 + e),
+}
+
+
+@pytest.mark.parametrize("kind", CLOSE, ids=lambda kind: kind.__name__)
+@pytest.mark.parametrize("miss", TINY)
+def test_numbers_that_differ_look_different(kind, miss):
+    """The number that fails is neither shown as its limit, nor as zero."""
+    sentence = str(CLOSE[kind](miss))
+    numbers = [float(number) for number in re.findall(r"(?<![\w.])-?\d+\.?\d*(?=[ .]\w|\.$)", sentence)]
+    told = [float(text) for text in re.findall(r"-?\d+\.\d+", sentence)]
+    first = told[0]
+    assert first != 0
+    assert all(first != other for other in numbers[numbers.index(first) + 1 :] if kind is not errors.AssemblyError)
+    if kind is errors.AssemblyError:
+        assert len({*told}) == 4
+
+
+def test_an_obstacle_is_never_0_m_deep():
+    assert str(errors.CollisionError(-1e-7, 0.03)) == "It is 0.0000001 m deep in the obstacle."
+
+
+def test_equal_numbers_look_equal_and_few_digits_suffice_where_they_do():
+    assert errors.told_apart(0.1, 0.25, 0.1) == ["0.1000", "0.2500", "0.1000"]
+    assert errors.told_apart(-1e-9, decimals=2) == ["-0.000000001"]
+    assert errors.told_apart(np.nan, np.inf, 1) == ["nan", "inf", "1.0000"]
+    assert errors.told_apart(-0.0) == ["0.0000"]

@@ -21,12 +21,12 @@ FLOORS = {
 FLOOR = {module: floor for floor, modules in FLOORS.items() for module in modules}
 # Where the floor alone does not say it: what a module may import, and nothing else.
 ONLY = {module: {"errors", "reading"} for module in FLOORS[0]} | {
-    "course.report": {"symbolic", "errors"},  # nothing can compute from an answer
+    "course.report": {"symbolic", "reading", "errors"},  # nothing can compute from an answer
     "course": set(),
     "lynx_common": set(),
 }
 
-MODULE_LINES = 200
+MODULE_LINES = 250
 FUNCTION_LINES = 30
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 

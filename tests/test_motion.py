@@ -165,7 +165,7 @@ def test_the_sides_of_a_star_join_without_a_jump_and_wind_twice_round_the_base()
         (lambda: motion.joined(motion.line(A, B), motion.line(A, B)), "where the one before ends"),
         (
             lambda: motion.joined(motion.line(B, A), motion.line(A + [0, 2 * np.pi, 0, 0, 0], B)),
-            "Path 1 begins at",
+            "Path 1 begins with r 6.483185, where the one before ends with 0.2",
         ),
         (lambda: motion.line(A, [*B[:4], np.inf]), "Five finite task coordinates"),
         (lambda: motion.line(A, B * 1j), "Real numbers are expected"),

@@ -549,14 +549,12 @@ def test_functions_broadcast_over_leading_axes(rng, function, shape, batch):
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize("where", range(3))
 def test_what_is_not_finite_gives_no_plausible_answer(function, shape, bad, where):
-    row = np.array([0.0, 100.0, 0.2])
+    row = np.array([0.0, 5.0, 0.2])
     good = function(row)
     row[where] = bad
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        if np.isinf(bad) and where == 2:
-            warnings.filterwarnings("ignore", "alpha = -?inf rad is more than a full turn")
-        both = function(np.stack([row, [0.0, 100.0, 0.2]]))
+        both = function(np.stack([row, [0.0, 5.0, 0.2]]))
     empty = False if both.dtype == bool else np.nan
     np.testing.assert_array_equal(both[0] if function is not rrr.elbows else both[0, where], empty)
     np.testing.assert_array_equal(both[1], good)

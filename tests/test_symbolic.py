@@ -83,6 +83,71 @@ def test_a_symbol_that_no_vector_lists_is_named():
         numeric(a * b + c, (a, b))
 
 
+KINDS = {  # of formulas, and the shape of one value
+    "a list": ([a, b], (2,)),
+    "a tuple": ((a, b), (2,)),
+    "a SymPy tuple": (sp.Tuple(a, b), (2,)),
+    "nested lists": ([[a, 1], [0, b], [b, a]], (3, 2)),
+    "an array": (sp.Array([a, b, 1]), (3,)),
+    "an array of two axes": (sp.Array([[a, b, 1]]), (1, 3)),
+    "an object array": (np.array([a, b]), (2,)),
+    "a row": (sp.Matrix([[a, b]]), (1, 2)),
+    "one by one": (sp.Matrix([[a]]), (1,)),
+    "an immutable matrix": (sp.ImmutableMatrix([a, b]), (2,)),
+    "a product not multiplied out": (sp.MatMul(sp.Matrix([[a, 1], [0, b]]), sp.Matrix([b, 1])), (2,)),
+    "a number": (2.5, ()),
+    "infinity": (sp.oo, ()),
+    "real though written with I": (sp.exp(sp.I * a) + sp.exp(-sp.I * a), ()),
+    "a derivative": (sp.Derivative(sp.sin(a) * b, a).doit(), ()),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_formulas_of_any_kind_become_functions_of_any_batch(kind, rng):
+    expr, shape = KINDS[kind]
+    values = rng.uniform(0.5, 1, (4, 2))
+    f = numeric(expr, (a, b))
+    assert f(values).shape == (4, *shape)
+    np.testing.assert_allclose(f(values)[2], f(values[2]))
+    as_list = [expr] if shape == () else list(sp.Matrix(expr) if not isinstance(expr, np.ndarray) else expr)
+    exact = [complex(sp.sympify(e).subs(dict(zip((a, b), values[2], strict=True)))) for e in as_list]
+    np.testing.assert_allclose(f(values[2]).ravel(), exact)
+
+
+z = sp.Symbol("z")  # not said to be real
+REFUSED = {
+    "complex": (lambda: numeric(sp.Matrix([sp.exp(sp.I * z), z]), (z,)), r"complex: exp\(I\*z\)"),
+    "a complex number": (lambda: numeric(sp.sqrt(-3)), r"complex: sqrt\(3\)\*I"),
+    "a complex root": (lambda: numeric(sp.root(-8, 3) * z, (z,))([1.0]), "complex"),
+    "a division by zero": (lambda: numeric([z, sp.zoo], (z,)), "division by zero"),
+    "nothing": (lambda: numeric(sp.Matrix([]), (z,)), "no entries"),
+    "no list": (lambda: numeric([], (z,)), "no entries"),
+    "ragged": (lambda: numeric([[z], [z, z]], (z,)), "different lengths"),
+    "three axes": (lambda: numeric(sp.Array([[[z]]]), (z,)), "no formula of SymPy"),
+    "an equation": (lambda: numeric(sp.Eq(z, 1), (z,)), "no formula of SymPy"),
+    "None": (lambda: numeric(None, (z,)), "holds None"),
+    "a matrix without entries": (lambda: numeric(sp.MatrixSymbol("A", 2, 2), ()), "also holds A"),
+    "a symbol without a comma": (lambda: numeric(z, z), r"such as \(x,\), are expected, not z"),
+    "a name": (lambda: numeric(z, "z"), "are expected, not 'z'"),
+    "no symbol": (lambda: numeric(z, (z, z + 1)), "one of them holds z \\+ 1"),
+    "a symbol twice": (lambda: numeric(z, (z,), (z,)), "z is listed twice"),
+    "too few arrays": (
+        lambda: numeric(a * z, (a,), (z,))([1.0]),
+        "each of a and z is expected; the number given is 1",
+    ),
+    "too many arrays": (lambda: numeric(z, (z,))([1.0], [2.0]), "each of z is expected; the number given is 2"),
+    "an unknown function": (lambda: numeric(sp.Function("f")(z), (z,))([1.0]), "no NumPy function"),
+    "an open derivative": (lambda: numeric(sp.Derivative(sp.gamma(z), z), (z,))([1.0]), "no NumPy function"),
+}
+
+
+@pytest.mark.parametrize("kind", REFUSED)
+def test_what_cannot_become_a_function_gets_a_sentence(kind):
+    call, sentence = REFUSED[kind]
+    with pytest.raises(InputError, match=sentence):
+        call()
+
+
 def test_the_same_expression_is_compiled_once_and_not_before_its_first_call(monkeypatch):
     compiled = []
     original = sp.lambdify

@@ -9,6 +9,8 @@ from ..errors import InputError
 from ..reading import real
 from .circles import arcs_of, beside, cuts_of, distinct, on
 
+LARGEST_BOUNDARY = 10**7  # points
+
 
 class Region:
     """A plane region bounded by arcs of given circles.
@@ -112,7 +114,16 @@ class Region:
         return near.min(axis=-1, initial=np.inf), far.max(axis=-1, initial=-np.inf)
 
     def boundary(self, step: float = np.pi / 180) -> list[np.ndarray]:
-        """Closed polylines, (n, 2), along the boundary, for drawing; at most ``step`` radians between points."""
+        """Closed polylines, (n, 2), along the boundary, for drawing; at most ``step`` radians between points.
+
+        Raises InputError where the step is not positive, or would give more than 10 million points.
+        """
+        if real(step, "the step").shape or not 0 < step < np.inf:
+            raise InputError(f"The step is a positive angle in radians; {step} was given.")
+        if (points := float(np.abs(self.arcs[:, 4]).sum()) / step) > LARGEST_BOUNDARY:
+            raise InputError(
+                f"A step of {step:g} rad would give {points:.2g} points; {LARGEST_BOUNDARY:.0e} are allowed."
+            )
         arcs, ends, loops = list(self.arcs), list(self.ends), []
         while arcs:
             line, (first, place) = [arcs.pop(0)], ends.pop(0)
@@ -147,8 +158,10 @@ class Region:
 
 def annulus(x: float, y: float, inner: float, outer: float) -> Region:
     """Points whose distance from (x, y) lies between ``inner`` and ``outer``."""
-    if not 0 <= inner <= outer:
-        raise InputError(f"An annulus has radii 0 <= inner <= outer; {inner} and {outer} were given.")
+    x, y, inner, outer = real([x, y, inner, outer], "centre and radii of an annulus")
+    if not (np.isfinite([x, y]).all() and 0 <= inner <= outer < np.inf):
+        given = f"({x}, {y}), {inner} and {outer} were given"
+        raise InputError(f"An annulus has a finite centre and radii 0 <= inner <= outer; {given}.")
 
     def contains(points: np.ndarray) -> np.ndarray:
         d = np.hypot(*np.moveaxis(real(points, "points of the plane", 2) - [x, y], -1, 0))

@@ -9,6 +9,7 @@ import sympy as sp
 from .. import dh
 from ..errors import GeometryError
 from ..reading import limits as read_limits
+from ..reading import warn_of_degrees
 from ..symbolic import P, Q, real
 
 
@@ -39,7 +40,7 @@ class Geometry:
 
 
 def _check_length(name: str, value: float) -> None:
-    if not isinstance(value, int | float | np.number) or isinstance(value, complex | np.complexfloating):
+    if not isinstance(value, int | float | np.number) or isinstance(value, bool | complex | np.complexfloating):
         raise GeometryError(name, value, "a length is a real number of metres")
     if not np.isfinite(value):
         raise GeometryError(name, value, "a length is finite")
@@ -85,6 +86,8 @@ def within_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarra
 def into_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
     """The same angles, (..., 5), moved by full turns into ``limits``; NaN where no turn brings them there."""
     lower, upper = read_limits(limits, 5).T
+    q = real(q, Q)
+    warn_of_degrees(q, "q")
     with np.errstate(invalid="ignore"):
-        above = np.mod(real(q, Q) - lower + AT_LIMIT, 2 * np.pi) - AT_LIMIT
+        above = np.mod(q - lower + AT_LIMIT, 2 * np.pi) - AT_LIMIT
     return np.where(above <= upper - lower + AT_LIMIT, np.clip(lower + above, lower, upper), np.nan)

@@ -11,6 +11,7 @@ import sympy as sp
 from IPython.display import HTML
 
 from ..errors import InputError
+from ..reading import formulas
 
 PAGE = Path(__file__).with_name("script.html").read_text(encoding="utf-8")
 KEPT = (
@@ -83,7 +84,7 @@ def javascript(entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol]) -> str
         raise InputError(f"The expressions also hold {', '.join(names)}, which no vector lists.")
     if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s))]:
         raise InputError(f"{', '.join(unfit)} cannot be the name of a variable in JavaScript.")
-    matrix = sp.Matrix(entries)
+    matrix = formulas(entries)
     matrix = matrix.xreplace({number: sp.Float(number, DIGITS) for number in matrix.atoms(sp.Float)})
     parts, (results, *_) = sp.cse([matrix], symbols=sp.numbered_symbols("part", real=True))
     steps = "".join(f"const {name} = {sp.jscode(part)}; " for name, part in parts)
@@ -110,7 +111,7 @@ def page(
 
     def place(numbers: Sequence[sp.Expr]) -> list[int]:
         """Where the numbers stand in what the compiled function returns: the first, and how many."""
-        entries.extend(map(sp.sympify, numbers))
+        entries.extend(formulas(numbers) if len(numbers) else ())
         return [len(entries) - len(numbers), len(numbers)]
 
     facts = {

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import arm, reading
-from ..errors import CollisionError, EndpointError, InputError
+from ..errors import CollisionError, EndpointError, InputError, told_apart
 from ..symbolic import TASK, real
 from .following import follow
 from .paths import ROOM, Path, line
@@ -95,7 +95,7 @@ def _ends(start: np.ndarray, end: np.ndarray, geometry: arm.Geometry) -> list[np
         if failure := follow(task[None], geometry).failure:
             raise EndpointError(name, failure.cause)
     if abs(ends[0][0] - ends[1][0]) > ROOM:
-        given = " and ".join(f"{np.rad2deg(task[0]):.2f}" for task in ends)
+        given = " and ".join(told_apart(*(np.rad2deg(task[0]) for task in ends), decimals=2))
         raise InputError(f"The way stays in one plane of the arm; the azimuths given are {given} deg.")
     if np.array_equal(*ends):
         raise InputError("The start and the end of the motion are the same: its length is zero.")

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from itertools import product
-from math import ceil, floor
+from math import ceil, floor, prod
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from ..symbolic import TASK, real
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
 LARGEST_STEP = np.pi / 2
+
+LARGEST_SEARCH = 10**9  # bytes
 
 # So near to 0 (radians) is theta_3 at full stretch, where the two elbows are one: at distance e from it theta_3
 # is about sqrt(8 e / reach), and rounding makes that 1e-7.
@@ -114,12 +116,21 @@ def _turns(elbows: np.ndarray, limits: np.ndarray) -> np.ndarray:
         first, last = ceil((lower - high) / (2 * np.pi)), floor((upper - low) / (2 * np.pi))
         if first > last:  # no sample is within limits: as near to them as may be
             first = last = round((lower + upper - low - high) / (4 * np.pi))
+        _check_size(len(elbows) * (last - first + 1.0))
         turns = 2 * np.pi * np.array(sorted(range(first, last + 1), key=abs))
         outside = ((angles + turns < lower) | (angles + turns > upper)).sum(axis=(0, 1))
         # Where one choice keeps the limits all along, it will do. Azimuth and roll do not depend on the elbow.
         one = outside.min() == 0 or joint in (0, 4)
         choices.append(turns[[outside.argmin()]] if one else turns)
+    _check_size(len(elbows) * prod(map(len, choices)) ** 2.0)
     return np.array(list(product(*choices)))
+
+
+def _check_size(states: float) -> None:
+    """InputError where so many pairs of states, 32 bytes each, would fill the memory."""
+    if (size := 32 * states) > LARGEST_SEARCH:
+        need = f"{size / 1e9:.2g} GB would be needed; 1 GB is allowed"
+        raise InputError(f"Limits so wide leave so many full turns to choose from that {need}.")
 
 
 def _excess(q: np.ndarray, limits: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import reading
 from ..arm.inverse import XYZ
-from ..errors import InputError
+from ..errors import InputError, told_apart
 from ..symbolic import TASK, real
 
 # Room for rounding: of a parameter beyond 0 or 1, and, in metres, of a line that meets the base axis.
@@ -145,9 +145,10 @@ def joined(*paths: Path) -> Path:
         end, start = moved[-1](1.0), path(0.0)
         turns = 2 * np.pi * np.rint((end - start) / (2 * np.pi)) * ANGLES
         if not np.abs(start + turns - end).max() <= ROOM:
+            which = int(np.abs(start + turns - end).argmax())
+            begins, ends = told_apart((start + turns)[which], end[which], decimals=6)
             raise InputError(
-                f"Path {number} begins at {start.round(6).tolist()}, "
-                f"where the one before ends at {end.round(6).tolist()}."
+                f"Path {number} begins with {TASK[which]} {begins}, where the one before ends with {ends}."
             )
         moved.append(Path(lambda s, path=path, turns=turns: path.point(s) + turns, path.slope))
     return Path(

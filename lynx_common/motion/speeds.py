@@ -42,7 +42,7 @@ def joint_velocities(q: np.ndarray, task_dot: np.ndarray, geometry: arm.Geometry
     """
     with np.errstate(divide="ignore"):
         q_dot = _velocities()(q, task_dot, geometry)
-    singular = np.abs(np.sin(np.asarray(q, dtype=float)[..., 2])) <= STRETCHED
+    singular = np.abs(np.sin(real(q, Q)[..., 2])) <= STRETCHED
     return np.where(singular[..., None], np.nan, q_dot)
 
 

@@ -5,15 +5,20 @@ from collections.abc import Callable
 import numpy as np
 
 from ..errors import EndpointError, InputError, JointLimitError, NotFreeError
+from ..reading import real, shortened
 
 # Room for rounding where a start or a goal stands exactly at a limit, as in ``arm``.
 AT_LIMIT = 1e-9
+
+# Postures that are tried on one line, and tries of all kinds: more would fill the memory.
+LARGEST_EDGE, LARGEST_BUDGET = 100_000, 10_000_000
 
 Free = Callable[[np.ndarray], np.ndarray]
 
 
 def joint_travel(path: np.ndarray) -> float:
-    """Sum of the lengths of the straight pieces of a path (n, m), in radians."""
+    """Sum of the lengths of the straight pieces of a path (n, m), in radians; NaN where it holds NaN."""
+    path = real(path, "a path", None, None)
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
@@ -56,7 +61,7 @@ def problem(
         for joint in np.flatnonzero((q < limits[:, 0] - AT_LIMIT) | (q > limits[:, 1] + AT_LIMIT)):
             cause = JointLimitError(int(joint) + 1, float(q[joint]), *map(float, limits[joint]))
             raise EndpointError(name, cause)
-        if not _free(free, q[None])[0]:
+        if not _free(free, q[None].copy())[0]:  # whatever it does with its argument
             raise EndpointError(name, NotFreeError(q))
         ends.append(q)
     return limits, *ends
@@ -64,21 +69,27 @@ def problem(
 
 def finite(name: str, values: np.ndarray, axes: int) -> np.ndarray:
     """``values`` as float64; InputError unless they are finite real numbers on so many axes, one at least."""
-    values = np.asarray(values)
-    if values.ndim != axes or not values.size or values.dtype.kind not in "iuf" or not np.isfinite(values).all():
+    array = real(values, f"the {name}")
+    if array.ndim != axes or not array.size or not np.isfinite(array).all():
         shape = "(m,)" if axes == 1 else "(m, 2)"
-        raise InputError(f"The {name} must be finite real numbers, {shape}; {values.tolist()} was given.")
-    return values.astype(float)
+        raise InputError(f"The {name} must be finite real numbers, {shape}; {shortened(values)} was given.")
+    return array.copy()
 
 
 def check_budget(name: str, value: int) -> None:
-    """InputError unless ``value`` is a whole number, 1 or more."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise InputError(f"The number of {name} is a whole number, 1 or more; {value!r} was given.")
+    """InputError unless ``value`` is a whole number from 1 to LARGEST_BUDGET."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= LARGEST_BUDGET:
+        raise InputError(f"The number of {name} is a whole one from 1 to {LARGEST_BUDGET}; {value!r} was given.")
 
 
-def check_lengths(**lengths: float) -> None:
-    """InputError unless each is one finite number above 0, in radians of joint travel."""
+def check_lengths(longest: float, **lengths: float) -> None:
+    """InputError unless each is one finite number above 0, in radians of joint travel.
+
+    A ``resolution`` must not ask for more than LARGEST_EDGE postures on a line as long as the longest.
+    """
     for name, value in lengths.items():
-        if np.iscomplexobj(value) or np.ndim(value) or not (np.isfinite(value) and value > 0):
+        if real(value, f"the {name}").shape or not 0 < value < np.inf:
             raise InputError(f"The {name} is a positive length in joint space; {value!r} was given.")
+    if (postures := longest / lengths["resolution"]) > LARGEST_EDGE:
+        given = f"a resolution of {lengths['resolution']:g} would try {postures:.2g}"
+        raise InputError(f"On one line {LARGEST_EDGE} postures can be tried at most; {given}.")

@@ -67,7 +67,7 @@ def plan(
     """
     limits, start, goal = problem(free, limits, start, goal)
     check_budget("iterations", iterations)
-    check_lengths(step=step, resolution=resolution)
+    check_lengths(float(np.linalg.norm(np.diff(limits))), step=step, resolution=resolution)
     tree, rng, history = Growing(start, goal, iterations + 2), np.random.default_rng(seed), np.empty(iterations)
     if edges_free(free, start[None], goal[None], resolution)[0]:
         history[:] = np.linalg.norm(goal - start)

@@ -18,7 +18,7 @@ def shortcut(
     if len(path) < 2:
         raise InputError(f"A path has two corners or more; {len(path)} were given.")
     check_budget("tries", tries)
-    check_lengths(resolution=resolution)
+    check_lengths(float(np.linalg.norm(np.ptp(path, axis=0))), resolution=resolution)
     for first, second in np.sort(np.random.default_rng(seed).random((tries, 2)), axis=1):
         along = np.append(0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1)))
         ends = np.array([first, second]) * along[-1]

@@ -1,6 +1,5 @@
 """The robot itself: its lengths and angles, and where its joints are."""
 
-import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import astuple, dataclass, fields
 from functools import cache
@@ -8,6 +7,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
+from .. import reading
 from ..errors import GeometryError, InputError
 from ..symbolic import DESIGN, POSE, Q, numeric, real
 
@@ -50,7 +50,7 @@ class Geometry:
 
 
 def _length(name: str, value: float) -> float:
-    if not isinstance(value, int | float | np.number) or isinstance(value, complex | np.complexfloating):
+    if not isinstance(value, int | float | np.number) or isinstance(value, bool | complex | np.complexfloating):
         raise GeometryError(name, value, "a length is a real number of millimetres")
     if not (np.isfinite(value) and value > 0):
         raise GeometryError(name, value, "a length is finite and longer than zero")
@@ -58,9 +58,13 @@ def _length(name: str, value: float) -> float:
 
 
 def _angles(name: str, value: tuple[float, float, float]) -> tuple[float, float, float]:
-    angles = np.asarray(value)
-    if angles.shape != (3,) or np.iscomplexobj(angles) or not np.isfinite(angles.astype(float)).all():
+    try:
+        angles = reading.real(value, name)
+    except InputError:
+        angles = np.empty(0)
+    if angles.shape != (3,) or not np.isfinite(angles).all():
         raise GeometryError(name, value, "three finite angles in radians are expected")
+    reading.warn_of_degrees(angles, name)
     return tuple(map(float, angles))
 
 
@@ -111,10 +115,7 @@ def elbows(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
 def checked(pose: np.ndarray) -> np.ndarray:
     """``pose`` as float64; warns where alpha can hardly be meant in radians."""
     pose = real(pose, POSE)
-    with np.errstate(invalid="ignore"):
-        if (far := np.abs(pose[..., 2]) > 2 * np.pi).any():
-            given = f"alpha = {pose[..., 2][far][0]:g} rad is more than a full turn; were degrees meant?"
-            warnings.warn(given, stacklevel=3)
+    reading.warn_of_degrees(pose[..., 2], "alpha", 2 * np.pi)
     return pose
 
 

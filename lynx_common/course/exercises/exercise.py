@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from ... import reading
+from ...errors import InputError
+
 # Answers rounded to four decimals count as right.
 TOLERANCE = 1e-4
 
@@ -43,10 +46,11 @@ class Exercise:
             value = self.read(answer)
         except UnreadableAnswerError as fault:
             return str(fault)
-        if self.right(value):
-            return "correct."
-        recognised = (sentence for test, sentence in self.misconceptions if test(value))
-        return f"not yet: {next(recognised, None) or self.describe(value)}"
+        with warnings.catch_warnings(action="ignore"):  # of degrees, which it says itself
+            if self.right(value):
+                return "correct."
+            recognised = (sentence for test, sentence in self.misconceptions if test(value))
+            return f"not yet: {next(recognised, None) or self.describe(value)}"
 
 
 def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
@@ -54,7 +58,11 @@ def numbers(shape: tuple[int, ...]) -> Callable[[object], np.ndarray]:
 
     def read(answer: object) -> np.ndarray:
         try:
-            value = np.array(answer, dtype=complex)
+            value = np.asarray(answer)
+            if value.dtype.kind in "OUS":  # SymPy's numbers; or text, which would be read as one
+                entries = [complex(entry) for entry in reading.formulas(value.tolist())]
+                value = np.reshape(entries, value.shape)
+            value = value.astype(complex)
         except (TypeError, ValueError, OverflowError):
             raise UnreadableAnswerError(
                 "numbers are expected; no symbols, words or dots may be left in."
@@ -75,10 +83,9 @@ def expressions(symbols: tuple[sp.Symbol, ...], size: int) -> Callable[[object],
 
     def read(answer: object) -> sp.Matrix:
         try:
-            with warnings.catch_warnings(action="error"):  # SymPy 1.14 only warns of what is no expression
-                value = sp.Matrix(answer)
-            readable = not any(e.is_Matrix or e.has(sp.I) or e.is_finite is False for e in value)
-        except (TypeError, ValueError, NotImplementedError, DeprecationWarning):
+            value = sp.Matrix(reading.formulas(answer))
+            readable = not any(e.has(sp.I) or e.is_finite is False for e in value)
+        except InputError:
             readable = False
         if not readable:
             raise UnreadableAnswerError(f"a list of {size} real expressions is expected; one entry is none.")

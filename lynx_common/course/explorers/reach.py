@@ -75,8 +75,6 @@ def _in_words(position: list[float], pitch: float, q: np.ndarray, geometry: arm.
     rows = [
         f"<tr><td>{side}, {elbow}</td><td>{' '.join(f'{angle:z.0f}°' for angle in angles)}</td>"
         f"<td>{'' if inside else 'beyond a limit'}</td></tr>"
-        for (side, elbow), angles, inside in zip(
-            arm.BRANCHES, np.rad2deg(q), arm.within_limits(q), strict=True
-        )
+        for (side, elbow), angles, inside in zip(arm.BRANCHES, np.rad2deg(q), arm.within_limits(q), strict=True)
     ]
     return f"<table>{''.join(rows)}</table>"

@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
+from ... import reading
 from ...errors import InputError
 from ...symbolic import numeric, tidy
 
@@ -76,8 +77,14 @@ def differs(printed: object, derived: object, digits: int | None = None) -> str:
     if isinstance(printed, bool):
         return _claims_differ(printed, derived)
     if isinstance(printed, np.ndarray):
-        return _numbers_differ(printed, np.asarray(derived), digits)
+        return _numbers_differ(printed, _numbers(derived), digits)
     return _expressions_differ(printed, derived)
+
+
+def _numbers(derived: object) -> np.ndarray:
+    """As an array of real or complex numbers; InputError where it is neither."""
+    array = np.asarray(derived)
+    return array if array.dtype.kind in "iufc" else reading.real(derived, "what was derived")
 
 
 def _claims_differ(printed: bool, derived: object) -> str:
@@ -95,11 +102,8 @@ def _numbers_differ(printed: np.ndarray, derived: np.ndarray, digits: int) -> st
 
 
 def _expressions_differ(printed: sp.Basic, derived: sp.Basic) -> str:
-    derived = derived.rhs if isinstance(derived, sp.Eq) else sp.sympify(derived)
-    a, b = (
-        sp.Matrix(x) if isinstance(x, sp.MatrixBase | sp.MatrixExpr) else sp.Matrix([x])
-        for x in (printed, derived)
-    )
+    derived = derived.rhs if isinstance(derived, sp.Eq) else derived
+    a, b = reading.formulas(printed), reading.formulas(derived, "What was derived")
     if a.shape != b.shape:
         return f"the shape is {b.shape}, not {a.shape}"
     different = [i for i, entry in enumerate(a - b) if not is_zero(entry)]

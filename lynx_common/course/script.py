@@ -79,12 +79,11 @@ def javascript(entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol]) -> str
     InputError for symbols that no vector lists, and for names that JavaScript does not allow.
     """
     symbols = [symbol for vector in vectors for symbol in vector]
-    names = sorted(str(s) for s in sp.Tuple(*entries).free_symbols.difference(symbols))
-    if names:
+    matrix = formulas(entries)
+    if names := sorted(map(str, matrix.free_symbols.difference(symbols))):
         raise InputError(f"The expressions also hold {', '.join(names)}, which no vector lists.")
     if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s))]:
         raise InputError(f"{', '.join(unfit)} cannot be the name of a variable in JavaScript.")
-    matrix = formulas(entries)
     matrix = matrix.xreplace({number: sp.Float(number, DIGITS) for number in matrix.atoms(sp.Float)})
     parts, (results, *_) = sp.cse([matrix], symbols=sp.numbered_symbols("part", real=True))
     steps = "".join(f"const {name} = {sp.jscode(part)}; " for name, part in parts)

@@ -2,18 +2,18 @@ PYTHON ?= python3
 DIR ?= work
 VENV := .venv/bin
 
+# Whatever somebody has set for Python and Jupyter at large does not reach what runs here.
+unexport PYTHONHOME PYTHONPATH PYTHONOPTIMIZE PYTHONSTARTUP JUPYTER_PATH MPLCONFIGDIR MATPLOTLIBRC VIRTUAL_ENV
+export PYTHONUTF8 := 1
+
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=notebooks: the originals)
-	@mkdir -p $(DIR)
-	@for notebook in notebooks/*.ipynb; do \
-	  copy=$(DIR)/$${notebook##*/}; [ -e "$$copy" ] || cp "$$notebook" "$$copy"; done
-	@$(VENV)/jupyter lab --log-level=WARN --LabApp.news_url=None --LabApp.default_url=/lab/tree/$(DIR)/00_index.ipynb \
-	  $(if $(filter 0,$(shell id -u)),--allow-root)
+lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=...: in another folder; DIR=notebooks: the originals)
+	@$(VENV)/python -m lynx_common.course.lab "$(DIR)"
 
 test: .venv/ready  ## test the package; re-run every notebook and compare every output
-	$(VENV)/pytest
+	@$(VENV)/python -m pytest
 
 figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebook, ONLY=1.2: one figure)
 	@$(VENV)/python -m lynx_common.course.execute figures $(ONLY)
@@ -22,11 +22,12 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
 site: .venv-site/ready  ## build the course as a web page that needs no server, in build/site
-	.venv-site/bin/sphinx-build -q -W -E --keep-going -c site notebooks build/site
+	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site notebooks build/site
 	@echo "Open build/site/index.html in a browser."
 
 bench: .venv-bench/ready  ## measure speed and memory, also against other packages
-	.venv-bench/bin/pytest -s -o addopts= -o python_files='bench_*.py' --benchmark-columns=median,iqr,rounds tests/benchmarks
+	.venv-bench/bin/python -m pytest -s -o addopts= -o python_files='bench_*.py' \
+	  --benchmark-columns=median,iqr,rounds tests/benchmarks
 
 browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromium: of the notebooks, and of the site
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
@@ -34,7 +35,7 @@ browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromiu
 	.venv-browser/bin/python tests/site_check.py
 
 clean:  ## remove what was made here, except work/
-	rm -rf .venv .venv-bench .venv-browser .venv-site figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv* figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find lynx_common tests notebooks \( -name __pycache__ -o -name .ipynb_checkpoints \) -prune -exec rm -rf {} +
 
 .venv/ready: requirements.txt pyproject.toml
@@ -42,15 +43,22 @@ clean:  ## remove what was made here, except work/
 .venv-bench/ready: requirements-bench.txt requirements.txt pyproject.toml
 .venv-site/ready: requirements-site.txt
 
+# An environment that was moved, or whose Python is gone, is made anew: `ready` holds the place where it was made.
+$(foreach ready,$(wildcard .venv*/ready),$(shell \
+  [ "$$(cat $(ready))" = "$$PWD" ] && $(ready:ready=bin/python) -c "" 2>/dev/null || rm -f $(ready)))
+
 %/ready:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { echo "Python 3.11 or" \
 	  "newer is needed, but $(PYTHON) is $$($(PYTHON) --version 2>/dev/null || echo not here); name another," \
 	  "as in: make $(or $(firstword $(MAKECMDGOALS)),lab) PYTHON=python3.12" >&2; exit 1; }
 	@echo "Setting up $* (about a minute, once) ..."
-	@if command -v uv >/dev/null; then \
-	  uv venv -q --clear --python $(PYTHON) $* && uv pip install -q --compile-bytecode --python $* -r $<; \
-	else \
-	  $(PYTHON) -m venv --clear $* && $*/bin/python -m pip install -qq --disable-pip-version-check -r $<; fi
-	@touch $@
+	@if command -v uv >/dev/null; then uv venv -q --clear --python $(PYTHON) $*; \
+	  else $(PYTHON) -m venv --clear $*; fi
+	@{ if command -v uv >/dev/null; then uv pip install -q --compile-bytecode --python $* -r $<; \
+	  else $*/bin/python -m pip install -q --disable-pip-version-check -r $<; fi; } >$*/log 2>&1 || { \
+	  echo "The packages could not be installed; is there a network? The whole story is in $*/log, its last line" \
+	  "is: $$(tail -n 1 $*/log)" >&2; exit 1; }
+	@[ $* != .venv ] || MPLCONFIGDIR=$*/matplotlib $*/bin/python -c "import matplotlib.font_manager"
+	@printf %s "$$PWD" >$@
 
 .PHONY: help lab test figures notebooks site bench browser clean

@@ -17,6 +17,7 @@ FLOORS = {
     3: ["drawing", "course.pictures"],
     4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
     5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
+    6: ["course.lab"],
 }
 FLOOR = {module: floor for floor, modules in FLOORS.items() for module in modules}
 # Where the floor alone does not say it: what a module may import, and nothing else.

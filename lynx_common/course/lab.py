@@ -68,7 +68,10 @@ def without_news() -> None:
 def environment(store: Path) -> dict[str, str]:
     """That of JupyterLab: kernels are this environment's, and a home that cannot be written is no hindrance."""
     more = {"JUPYTER_PREFER_ENV_PATH": "1"}
-    places = {"JUPYTER_CONFIG_DIR": jupyter_core.paths.jupyter_config_dir, "JUPYTER_DATA_DIR": jupyter_core.paths.jupyter_data_dir}
+    places = {
+        "JUPYTER_CONFIG_DIR": jupyter_core.paths.jupyter_config_dir,
+        "JUPYTER_DATA_DIR": jupyter_core.paths.jupyter_data_dir,
+    }
     places["JUPYTER_RUNTIME_DIR"] = jupyter_core.paths.jupyter_runtime_dir
     for name, place in places.items():
         if not writable(Path(place())):

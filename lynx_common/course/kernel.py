@@ -21,7 +21,6 @@ FIXED = {
     "SOURCE_DATE_EPOCH": "0",
     "OPENBLAS_NUM_THREADS": "1",
     "COLUMNS": "80",
-    "PYTHONUTF8": "1",
     "IPYTHONDIR": str(Path(sys.prefix, "ipython")),  # the reader's own start-up files stay out,
     "MPLCONFIGDIR": str(Path(sys.prefix, "matplotlib")),  # and so does a matplotlibrc
     "PYDEVD_DISABLE_FILE_VALIDATION": "1",  # the debugger's advice does not belong in the log

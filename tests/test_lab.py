@@ -1,4 +1,4 @@
-"""`make lab`: copies are made once, trusted where they are ours, opened where they are. JupyterLab is a stand-in."""
+"""`make lab`: copies are made once, trusted where they are ours, opened where they are; a stand-in for JupyterLab."""
 
 import os
 import shutil

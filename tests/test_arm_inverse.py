@@ -112,6 +112,7 @@ def test_reach_ends_where_the_arm_is_straight_or_folded(geometry, direction):
         ).all()
 
 
+@pytest.mark.committed_lengths
 def test_at_full_stretch_both_elbows_are_one():
     up, down = arm.inverse_kinematics([0.5, 0, 0.1], 0.0)[:2]  # report Table 1.4 b
     np.testing.assert_array_equal(up, down)
@@ -201,6 +202,7 @@ def test_a_wrist_bent_back_is_within_limits_a_turn_later():
     np.testing.assert_allclose(arm.forward_kinematics(found)[:3, 3], position, atol=1e-12)
 
 
+@pytest.mark.committed_lengths
 def test_solve_says_how_far_a_target_is_out_of_reach():
     with pytest.raises(OutOfReachError, match=r"wrist would be 0\.6403 m from the shoulder") as error:
         arm.solve([0.5, 0.4, 0.2], np.pi / 2)

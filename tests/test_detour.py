@@ -100,6 +100,7 @@ def test_an_end_exactly_at_the_margin_is_allowed():
     assert np.isfinite(path.derivative(S)).all()
 
 
+@pytest.mark.committed_lengths
 def test_an_end_that_cannot_be_used_is_named_with_the_reason():
     with pytest.raises(
         EndpointError, match=r"The end of the motion cannot be used. It is 0.0500 m deep"

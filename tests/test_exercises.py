@@ -432,6 +432,7 @@ def test_every_notebook_has_three_exercises_or_more():
 
 
 @pytest.mark.parametrize("name", exercises.catalogue())
+@pytest.mark.committed_lengths
 def test_every_misconception_is_recognised_and_there_are_three_or_more(name):
     """Each by some wrong answer of the table; and a right answer comes in two forms or more."""
     exercise = exercises.catalogue()[name]
@@ -445,6 +446,7 @@ def test_every_misconception_is_recognised_and_there_are_three_or_more(name):
 @pytest.mark.parametrize(
     ("name", "i"), [(name, i) for name, answers in RIGHT.items() for i in range(len(answers))]
 )
+@pytest.mark.committed_lengths
 def test_a_right_answer_passes_in_any_form(name, i, capsys):
     assert verdict(name, RIGHT[name][i], capsys) == f"{name}: correct.\n"
 
@@ -452,6 +454,7 @@ def test_a_right_answer_passes_in_any_form(name, i, capsys):
 @pytest.mark.parametrize(
     ("name", "i"), [(name, i) for name, answers in WRONG.items() for i in range(len(answers))]
 )
+@pytest.mark.committed_lengths
 def test_a_wrong_answer_is_told_what_is_wrong(name, i, capsys):
     answer, sentence = WRONG[name][i]
     said = verdict(name, answer, capsys)

@@ -51,6 +51,7 @@ def pixels(controls) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(controls["image"].value)))
 
 
+@pytest.mark.committed_lengths
 def test_it_opens_on_table_1_3(controls):
     assert [slider.value for slider in controls["sliders"]] == [60, 45, -30, 60, 30]
     assert "(0.2156, 0.3734, 0.2673) m" in controls["text"][0].value
@@ -123,6 +124,7 @@ def test_reach_each_slider_moves_the_picture(number):
     assert words.value != text
 
 
+@pytest.mark.committed_lengths
 def test_reach_says_in_words_what_cannot_be_reached_and_recovers():
     sliders, words, image = parts(opened(explorers.reach_explorer))
     picture, home = image.value, sliders[0].value
@@ -254,6 +256,7 @@ def test_detour_says_when_the_links_collide():
     assert "the links collide" in words.value
 
 
+@pytest.mark.committed_lengths
 def test_detour_says_when_the_arm_cannot_follow():
     """A small obstacle between the ends, to be passed above."""
     sliders, words, _ = parts(opened(explorers.detour_explorer))

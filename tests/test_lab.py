@@ -1,4 +1,4 @@
-"""`make lab`: copies are made once, trusted where they are ours, opened where they are; a stand-in for JupyterLab."""
+"""`make lab`: copies are made once, trusted where they are ours, opened where they are; JupyterLab is not run."""
 
 import os
 import shutil

@@ -271,6 +271,7 @@ def test_a_path_over_the_top_is_followed_within_limits(points, n):
     assert_follows(motion.follow(task), task)
 
 
+@pytest.mark.committed_lengths
 def test_over_the_top_the_elbow_changes_sides_at_full_stretch():
     """Table 1.5 with the elbow the higher one all along: theta_3 passes through 0 at c, and nothing jumps."""
     task = motion.polyline(TABLE_1_5)(np.linspace(0, 1, 201))
@@ -387,6 +388,7 @@ def test_no_motion_travels_less_than_the_one_that_is_followed(rng):
     assert min(sum(found), len(found) - sum(found)) > 20  # both happened
 
 
+@pytest.mark.committed_lengths
 def test_a_start_out_of_reach_is_named_with_its_distance():
     task = motion.line([0, 0.52, 0.1, 0, 0], [0, 0.4, 0.1, 0, 0])(np.linspace(0, 1, 13))
     followed = motion.follow(task)
@@ -594,6 +596,7 @@ def test_in_the_shortest_time_a_limit_is_met_and_none_is_exceeded(rng):
         assert motion.duration(q, 2 * speeds, 4 * accelerations) == pytest.approx(T / 2)
 
 
+@pytest.mark.committed_lengths
 def test_towards_full_stretch_only_the_fourth_power_keeps_accelerations_finite():
     """theta_3 goes as the square root of the distance: with finer samples the others show their infinity."""
 

@@ -38,6 +38,7 @@ def test_clearance_is_the_distance_of_the_nearest_of_many_points_on_the_links(ge
         assert np.median(sampled - exact) < 1e-4
 
 
+@pytest.mark.committed_lengths
 def test_clearance_of_known_postures():
     """Upright: from the base to 0.6 m above it."""
     upright = np.array([0.3, np.pi / 2, 0, np.pi / 2, 0])

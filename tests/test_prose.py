@@ -7,12 +7,10 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from lynx_common import arm
 from lynx_common.course import exercises, report
 from lynx_common.course.kernel import code_cells
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
-COMMITTED = arm.Geometry()
 every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
 NUMBER = re.compile(r"(?<![\w.])\d[\d,]*(?:\.\d+)?")
@@ -112,7 +110,7 @@ def test_answers_are_open(path):
 
 
 @every_notebook
-@pytest.mark.skipif(arm.LYNX != COMMITTED, reason="the words are for the lengths as committed")
+@pytest.mark.committed_lengths
 def test_numbers_in_words_stand_in_an_output_or_a_cell(path):
     assert prose_faults(read(path)) == []
 

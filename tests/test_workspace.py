@@ -93,6 +93,7 @@ def test_the_wrist_reaches_a_spherical_shell():
     np.testing.assert_allclose(whole.arcs[:, :3], [[0, 0.1, 0.2 * 2**0.5], [0, 0.1, 0.4]], atol=1e-15)
 
 
+@pytest.mark.committed_lengths
 def test_the_gripper_of_fig_1_4():
     region = workspace.section(LIMITS[1], "gripper")
     points = np.vstack(region.boundary())

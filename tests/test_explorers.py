@@ -278,7 +278,7 @@ def parallel(
 OTHER = rrr.Geometry(120, 150, 80, 220)
 
 
-@pytest.mark.parametrize(("mode", "geometry"), [*((mode, rrr.RRR) for mode in range(8)), (2, OTHER), (5, OTHER)])
+@pytest.mark.parametrize(("mode", "geometry"), [(0, rrr.RRR), (6, rrr.RRR), (2, OTHER), (5, OTHER)])
 def test_parallel_says_what_the_package_says(mode, geometry):
     _, words, _ = parallel(-30, 20, -20, mode, geometry=geometry)
     pose = np.array([-30, 20, np.deg2rad(-20)])

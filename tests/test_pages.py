@@ -1,5 +1,6 @@
 """The pages that need no kernel: their JavaScript gives what the package gives, and they ask for nothing else."""
 
+import functools
 import json
 import re
 
@@ -17,7 +18,7 @@ from lynx_common.drawing.arm import gripper
 from lynx_common.errors import InputError
 from lynx_common.symbolic import TASK, WRIST, P, Q, numeric, tidy
 
-SAMPLES = 1000
+SAMPLES = 400
 LONG = arm.Geometry(0.15, 0.25, 0.18, 0.07)
 CROOKED = rrr.Geometry(180, 120, 90, 260, base_angles=(1.5, 3.7, 5.6), platform_angles=(1.4, 3.6, 5.9))
 
@@ -27,10 +28,12 @@ def rng():
     return np.random.default_rng(11)
 
 
+@functools.cache
 def the_arm(geometry=arm.LYNX):
     return arm_page([tidy(T) for T in dh.chain(arm.dh_table())], geometry)
 
 
+@functools.cache
 def the_reach(geometry=arm.LYNX):
     """With the three formulas of notebook A3, sections 1 and 3."""
     (_, r, z, pitch, _), (d_1, L_1, L_2, L_3), (r_wrist, h), theta_3 = TASK, P, WRIST, Q[2]
@@ -38,6 +41,9 @@ def the_reach(geometry=arm.LYNX):
     cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
     shoulder = sp.atan2(h, r_wrist) - sp.atan2(L_2 * sp.sin(theta_3), L_1 + L_2 * sp.cos(theta_3))
     return reach_page(wrist, cosine, shoulder, geometry)
+
+
+the_robot = functools.cache(rrr_page)
 
 
 def source(shown) -> str:
@@ -91,7 +97,7 @@ def test_both_elbows_are_those_of_the_package_or_none_is_shown(geometry, rng):
     light, dark = lines[2:4]
     reached = np.isfinite(q).all(axis=(1, 2))
     assert reached[0]
-    assert 100 < reached.sum() < 900
+    assert 0.1 < reached.mean() < 0.9
     refusal, heading, *angles = words
     for item in (light, dark, heading, *angles):
         assert (item["shown"] == reached).all()
@@ -117,7 +123,7 @@ def test_the_legs_are_those_of_the_package_or_the_leg_is_named(geometry, rng):
     mode = rng.integers(0, 8, SAMPLES)
     bends = np.array(rrr.WORKING_MODES)[mode]
     theta = rrr.inverse_kinematics(pose, geometry)[np.arange(SAMPLES), mode]
-    lines, words = computed(rrr_page(geometry), np.concatenate([pose, bends], axis=1))
+    lines, words = computed(the_robot(geometry), np.concatenate([pose, bends], axis=1))
     base, platform, *legs, needle = lines
     PB, PP, M = rrr.base_joints(geometry), rrr.platform_joints(pose, geometry), rrr.elbows(theta, geometry)
     corners = [0, 1, 2, 0]
@@ -205,7 +211,7 @@ def test_both_elbows_are_drawn_or_the_reason_why_none_is():
 
 
 def test_the_legs_are_drawn_or_the_gap_of_one_that_cannot_close():
-    page = FakePage(rrr_page().data)
+    page = FakePage(the_robot().data)
     for name, value in {"X": 40, "Y": -30, "alpha": 20, "bend 2": -1}.items():
         page.slide(name, value)
     pose, (drawing,) = np.array([40, -30, np.deg2rad(20)]), page.drawings
@@ -280,13 +286,13 @@ def test_a_name_that_only_begins_like_one_will_do(name):
     assert javascript([symbol + 1], (symbol,)) == f"([{name}]) => {{ return [{name} + 1]; }}"
 
 
-PAGES = [the_arm, the_reach, rrr_page]
+PAGES = [the_arm, the_reach, the_robot]
 
 
 @pytest.mark.parametrize("make", PAGES)
 def test_a_page_is_small_the_same_every_time_and_asks_for_nothing(make):
     shown = make()
-    assert shown.data == make().data
+    assert shown.data == getattr(make, "__wrapped__", make)().data  # made anew
     assert len(shown.data) < 20_000
     assert not re.search(r"https?:|src=|import|fetch|random|Date", source(shown))
     assert shown.data.count('"') == 6  # srcdoc, title and style

@@ -1,6 +1,7 @@
 """Two pictures are the same where nobody can see a difference, and not where one digit is another."""
 
 import base64
+import functools
 import io
 
 import matplotlib.pyplot as plt
@@ -12,6 +13,7 @@ from lynx_common import drawing
 from lynx_common.course import pictures
 
 
+@functools.cache
 def drawn(label="0.36", *, colour="x", shift=0.0, lines=3, size=(6.4, 4.8)) -> str:
     """A figure as the notebooks have it, as a base64 PNG; its smallest print is of 8 points."""
     with plt.rc_context():
@@ -28,6 +30,7 @@ def drawn(label="0.36", *, colour="x", shift=0.0, lines=3, size=(6.4, 4.8)) -> s
     return base64.b64encode(buffer.getvalue()).decode()
 
 
+@functools.cache
 def kept(png: str, before: str | None = None) -> str:
     """What is stored of a picture."""
     outputs = [{"data": {pictures.PNG: png}}]

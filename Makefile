@@ -45,7 +45,7 @@ clean:  ## remove what was made here, except work/
 
 # An environment that was moved, or whose Python is gone, is made anew: `ready` holds the place where it was made.
 $(foreach ready,$(wildcard .venv*/ready),$(shell \
-  [ "$$(cat $(ready))" = "$$PWD" ] && $(ready:ready=bin/python) -c "" 2>/dev/null || rm -f $(ready)))
+  [ "$$(cat $(ready))" = "$$PWD" ] && $(ready:ready=bin/python) -c "" 2>/dev/null || rm -f $(ready) 2>/dev/null))
 
 %/ready:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { echo "Python 3.11 or" \

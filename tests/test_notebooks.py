@@ -17,6 +17,7 @@ import pytest
 from nbformat.v4 import new_code_cell, new_notebook, new_output
 from PIL import Image
 
+from lynx_common.course import pictures
 from lynx_common.course.execute import NOTEBOOKS, ROOT
 from lynx_common.course.kernel import METADATA, code_cells, execute
 from lynx_common.course.pictures import pixels
@@ -270,6 +271,15 @@ def test_a_cell_fits_the_eye_and_links_lead_somewhere(path):
         assert max(map(len, lines), default=0) <= 115, cell.id
     words = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     assert [link for link in re.findall(r"\]\(([^)#:]+)\)", words) if not (NOTEBOOKS / link).exists()] == []
+
+
+def test_stored_pictures_have_256_colours_and_the_course_is_small():
+    sizes = [path.stat().st_size for path in NOTEBOOKS.glob("*.ipynb")]
+    assert sum(sizes) < 4e6
+    for path in NOTEBOOKS.glob("*.ipynb"):
+        for cell in code_cells(nbformat.read(path, as_version=4)):
+            for png in pictures.of(cell.outputs):
+                assert Image.open(io.BytesIO(base64.b64decode(png))).mode == "P", cell.id
 
 
 def test_a_second_run_changes_no_byte(small):

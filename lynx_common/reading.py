@@ -6,11 +6,12 @@ Text is never taken for a number or a formula, and never evaluated.
 import sys
 import warnings
 from collections.abc import Iterator
+from dataclasses import fields
 
 import numpy as np
 import sympy as sp
 
-from .errors import InputError, told_apart
+from .errors import GeometryError, InputError, told_apart
 
 # How far the rotation of a pose may be from orthogonal, and how far one may be that was rounded to few digits.
 POSE_TOLERANCE, ROUNDED_POSE = 1e-6, 1e-2
@@ -23,11 +24,34 @@ NO_NUMBERS = str, bytes, bool, np.bool_, type(None)  # though float() reads them
 TWO_TURNS = 4 * np.pi  # angles beyond are hardly meant in radians
 
 
+class Record:
+    """Base of the frozen records of a robot's parameters, which are checked once, when they are made.
+
+    ``values`` holds them as floats, in the order in which the record unpacks; it is an array to NumPy.
+    """
+
+    values: tuple[float, ...]
+
+    def __new__(cls, *_: object, **parameters: object) -> "Record":
+        known = [field.name for field in fields(cls)]
+        for name in parameters.keys() - known:
+            raise GeometryError(name, parameters[name], f"there are {', '.join(known)}")
+        return super().__new__(cls)
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.values)
+
+    def __array__(self, dtype: type | None = None, copy: bool | None = None) -> np.ndarray:
+        return np.array(self.values, dtype=dtype)
+
+
 def real(x: np.ndarray, name: str, *shape: int | None) -> np.ndarray:
     """``x`` as float64 whose last axes have ``shape``, None being any length; InputError where they have not.
 
     SymPy's numbers are read too. Complex numbers, truth values, words, None and what is masked are refused.
     """
+    if isinstance(x, Record):
+        raise InputError(f"Numbers are expected for {name}, not {x}; it is given as geometry=...")
     if not isinstance(x, np.ndarray) or x.dtype != float or isinstance(x, np.ma.MaskedArray):
         x = _as_float(x, name)
     tail = x.shape[x.ndim - len(shape) :] if x.ndim >= len(shape) else ()

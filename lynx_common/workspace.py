@@ -57,7 +57,7 @@ class Occupancy:
         return np.ix_(*(at + self.edge * np.arange(n) for at, n in zip(self.first, self.grid.shape, strict=True)))
 
 
-def sweep(limits: np.ndarray, step: float, point: str = "wrist", geometry: arm.Geometry = arm.LYNX) -> Sweep:
+def sweep(limits: np.ndarray, step: float, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Sweep:
     """All points that the wrist or the gripper takes as joints 1 to 4 go through their limits in equal steps.
 
     No more is computed than differs: theta_1 only turns the picture, and theta_4 does not move the wrist.
@@ -106,7 +106,7 @@ def occupancy(points: Sweep, edge: float) -> Occupancy:
     return Occupancy(grid, np.array([-half * edge, -half * edge, low]), edge)
 
 
-def section(limits: np.ndarray, point: str = "wrist", geometry: arm.Geometry = arm.LYNX) -> Region:
+def section(limits: np.ndarray, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Region:
     """The exact region of (signed r, z) that wrist or gripper reaches with theta_2, theta_3 within their limits.
 
     theta_1 does not matter to it, nor theta_4 to the wrist. The gripper's section is known where theta_2 and

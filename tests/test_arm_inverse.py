@@ -30,7 +30,7 @@ def apart(q, other):
 def test_every_branch_reaches_the_pose_and_one_of_them_is_where_it_came_from(geometry, rng):
     """FK(IK(x)) = x on all four branches of 100,000 poses, and IK(FK(q)) contains q."""
     q = rng.uniform(-np.pi, np.pi, (100_000, 5))
-    branches = arm.inverse_kinematics(*chart(q, geometry), geometry)
+    branches = arm.inverse_kinematics(*chart(q, geometry), geometry=geometry)
     assert branches.shape == (100_000, 4, 5)
     difference = arm.forward_kinematics(branches, geometry) - arm.forward_kinematics(q, geometry)[:, None]
     assert np.abs(difference).max() < 1e-9
@@ -104,11 +104,11 @@ def test_reach_ends_where_the_arm_is_straight_or_folded(geometry, direction):
             return (distance + L_3) * along + [0, 0, d_1]
 
         for distance in (limit, limit * (1 + 1e-13), limit * (1 - 1e-13), limit * (1 - beyond * 1e-3)):
-            q = arm.inverse_kinematics(target(distance), direction, 0.0, geometry)
+            q = arm.inverse_kinematics(target(distance), direction, 0.0, geometry=geometry)
             miss = arm.forward_kinematics(q, geometry)[:, :3, 3] - target(distance)
             assert np.abs(miss).max() < 1e-9
         assert np.isnan(
-            arm.inverse_kinematics(target(limit * (1 + beyond * 1e-6)), direction, 0.0, geometry)
+            arm.inverse_kinematics(target(limit * (1 + beyond * 1e-6)), direction, 0.0, geometry=geometry)
         ).all()
 
 

@@ -13,7 +13,7 @@ PACKAGE = Path(lynx_common.__file__).parent
 FLOORS = {
     0: ["errors", "reading", "symbolic", "dh", "screws", "arcs"],
     1: ["arm", "rrr"],
-    2: ["workspace", "motion", "obstacles", "planner"],
+    2: ["workspace", "motion", "obstacles", "planner", "certify"],
     3: ["drawing", "course.pictures"],
     4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
     5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lynx_common import arm, motion, obstacles
+from lynx_common import arm, certify, motion, obstacles
 from lynx_common.errors import InputError
 
 REPORT = obstacles.Sphere((-0.2, 0.0, 0.6), 0.15)  # report section 1.6
@@ -32,7 +32,7 @@ def test_clearance_is_the_distance_of_the_nearest_of_many_points_on_the_links(ge
     for _ in range(10):
         ball, thickness = sphere(rng), rng.uniform(0, 0.05)
         sampled = ball.distance(along_the_links(q, geometry)).min(axis=-1) - thickness
-        exact = obstacles.clearance(q, ball, geometry, thickness)
+        exact = obstacles.clearance(q, ball, thickness, geometry=geometry)
         assert (exact <= sampled + 1e-12).all()
         assert (exact >= sampled - max(geometry) / 400 - 1e-12).all()
         assert np.median(sampled - exact) < 1e-4
@@ -124,7 +124,8 @@ def test_no_clearance_changes_faster_than_its_lipschitz_constant(geometry, rng):
         step = size * rng.normal(size=q.shape)
         for _ in range(3):
             ball = sphere(rng)
-            change = obstacles.clearance(q + step, ball, geometry) - obstacles.clearance(q, ball, geometry)
+            here, there = (obstacles.clearance(x, ball, geometry=geometry) for x in (q, q + step))
+            change = there - here
             assert (np.abs(change) <= constant * np.linalg.norm(step, axis=1) + 1e-12).all()
 
 
@@ -135,7 +136,8 @@ def test_the_lipschitz_constant_is_met_where_the_stretched_arm_swings(geometry):
     levers = np.array([0, L_1 + L_2 + L_3, L_2 + L_3, L_3, 0])
     q, step = np.array([0, 0, 0, np.pi / 2, 0]), 1e-6 * levers / np.linalg.norm(levers)
     ball = obstacles.Sphere((levers[1], 0, d_1 + 1), 0.1)
-    change = obstacles.clearance(q, ball, geometry) - obstacles.clearance(q + step, ball, geometry)
+    here, there = (obstacles.clearance(x, ball, geometry=geometry) for x in (q, q + step))
+    change = here - there
     assert change / 1e-6 == pytest.approx(obstacles.lipschitz_constant(geometry), rel=1e-4)
 
 
@@ -159,7 +161,7 @@ def test_what_is_certified_no_dense_sampling_refutes(rng):
 
         sampled = dense(f, q)
         minimum = sampled + rng.choice([-1, 1]) * 10 ** rng.uniform(-7, -1)
-        found = obstacles.certify(f, L, q, minimum, budget=5000)
+        found = certify.along(f, L, q, minimum, budget=5000)
         verdicts.append(found.verdict)
         assert found.bound <= sampled
         assert found.evaluations <= 5000
@@ -183,10 +185,10 @@ def test_a_dip_between_samples_is_found_where_the_samples_are_clear():
         return np.abs(q[:, 0] - 0.2345678) - 5e-4
 
     ends = np.array([[0.0], [1.0]])
-    found = obstacles.certify(f, 1.0, ends)
+    found = certify.along(f, 1.0, ends)
     assert found.verdict == "refuted"
     assert found.witness == pytest.approx(0.2345678, abs=5e-4)
-    assert obstacles.certify(f, 1.0, ends, minimum=-6e-4).verdict == "certified"
+    assert certify.along(f, 1.0, ends, minimum=-6e-4).verdict == "certified"
 
 
 def test_the_proof_needs_the_lipschitz_constant_and_halving():
@@ -195,15 +197,15 @@ def test_the_proof_needs_the_lipschitz_constant_and_halving():
     def f(q):
         return 0.1 + np.abs(q[:, 0] - 0.3)
 
-    found = obstacles.certify(f, 1.0, np.array([[0.0], [1.0]]))
+    found = certify.along(f, 1.0, np.array([[0.0], [1.0]]))
     assert (found.verdict, found.witness) == ("certified", None)
     assert 0 <= found.bound <= 0.1
     assert 3 < found.evaluations < 20
-    assert obstacles.certify(f, 2.0, np.array([[0.0], [1.0]])).evaluations > found.evaluations
+    assert certify.along(f, 2.0, np.array([[0.0], [1.0]])).evaluations > found.evaluations
 
 
 def test_the_bound_of_one_piece_is_the_value_in_its_middle_less_half_its_length():
-    found = obstacles.certify(lambda q: 5.5 + 0 * q[:, 0], 2.0, np.array([[0.0, 0.0], [3.0, 4.0]]))
+    found = certify.along(lambda q: 5.5 + 0 * q[:, 0], 2.0, np.array([[0.0, 0.0], [3.0, 4.0]]))
     assert (found.verdict, found.evaluations) == ("certified", 3)
     assert found.bound == pytest.approx(5.5 - 2 * 5 / 2)
 
@@ -212,18 +214,18 @@ def test_clear_motions_of_the_arm_are_certified_and_the_report_s_detour_is_not()
     """Table 1.5 c to d, straight in task coordinates, runs through the report's obstacle with the elbow."""
     task = motion.line([0, 0, 0.6, np.pi / 2, 0], [0, -0.2, 0.4, np.pi, 0])(np.linspace(0, 1, 101))
     q = motion.follow(task).q
-    hit = obstacles.certify(lambda q: obstacles.clearance(q, REPORT), L, q)
+    hit = certify.along(lambda q: obstacles.clearance(q, REPORT), L, q)
     assert hit.verdict == "refuted"
     assert obstacles.clearance(hit.witness, REPORT) < 0
     aside = obstacles.Sphere((0.0, 0.4, 0.6), 0.15)
-    clear = obstacles.certify(lambda q: obstacles.clearance(q, aside), L, q, minimum=0.2)
+    clear = certify.along(lambda q: obstacles.clearance(q, aside), L, q, minimum=0.2)
     assert clear.verdict == "certified"
 
 
 def test_a_start_in_collision_is_refuted_at_once():
     q = np.array([[0, np.pi / 2, 0, np.pi / 2, 0], [2, np.pi / 2, 0, np.pi / 2, 0]])
     ball = obstacles.Sphere((0, 0, 0.3), 0.1)
-    found = obstacles.certify(lambda q: obstacles.clearance(q, ball), L, q)
+    found = certify.along(lambda q: obstacles.clearance(q, ball), L, q)
     assert (found.verdict, found.evaluations) == ("refuted", 3)
     assert obstacles.clearance(found.witness, ball) == pytest.approx(-0.1)
 
@@ -233,11 +235,11 @@ def test_a_violation_at_one_end_only_is_found(end):
     def f(q):
         return np.abs(q[:, 0] - [0.0, 1.0][end]) - 1e-9
 
-    assert obstacles.certify(f, 1.0, np.array([[0.0], [1.0]])).verdict == "refuted"
+    assert certify.along(f, 1.0, np.array([[0.0], [1.0]])).verdict == "refuted"
 
 
 def test_a_motion_that_touches_the_minimum_is_neither_certified_nor_refuted():
-    found = obstacles.certify(lambda q: np.abs(q[:, 0] - 1 / 3), 1.0, np.array([[0.0], [1.0]]))
+    found = certify.along(lambda q: np.abs(q[:, 0] - 1 / 3), 1.0, np.array([[0.0], [1.0]]))
     assert found.verdict == "undecided"
     assert -1e-11 < found.bound <= 0
     assert found.evaluations < 1000
@@ -247,26 +249,26 @@ def test_when_the_budget_is_spent_it_says_so():
     q = np.array([[0.0], [1.0]])
     f = lambda q: 0.001 + np.abs(q[:, 0] - 1 / 3)  # noqa: E731
     for budget in (0, 2, 3, 10):
-        found = obstacles.certify(f, 1.0, q, budget=budget)
+        found = certify.along(f, 1.0, q, budget=budget)
         assert (found.verdict, found.witness) == ("undecided", None)
         assert found.evaluations <= budget
         assert found.bound == -np.inf if budget < 3 else -0.5 < found.bound < 0
-    assert obstacles.certify(f, 1.0, q, budget=100).verdict == "certified"
+    assert certify.along(f, 1.0, q, budget=100).verdict == "certified"
 
 
 def test_rounding_is_taken_off_the_bound():
     def f(q):
         return 1e-9 + 0 * q[:, 0]
 
-    assert obstacles.certify(f, 0.0, np.zeros((2, 1))).verdict == "certified"
-    assert obstacles.certify(f, 0.0, np.zeros((2, 1)), rounding=1e-8).verdict == "undecided"
-    assert obstacles.certify(f, 1.0, np.full((2, 1), 1e8)).verdict == "undecided"  # q itself is known to 1e-8 only
+    assert certify.along(f, 0.0, np.zeros((2, 1))).verdict == "certified"
+    assert certify.along(f, 0.0, np.zeros((2, 1)), rounding=1e-8).verdict == "undecided"
+    assert certify.along(f, 1.0, np.full((2, 1), 1e8)).verdict == "undecided"  # q itself is known to 1e-8 only
 
 
 @pytest.mark.parametrize("samples", [np.zeros((1, 3)), np.zeros((4, 3)), np.repeat(np.eye(3), 2, axis=0)])
 def test_single_samples_and_pieces_of_no_length(samples):
-    assert obstacles.certify(lambda q: 2 - q.sum(axis=1), 2.0, samples).verdict == "certified"
-    assert obstacles.certify(lambda q: -1 - q.sum(axis=1), 2.0, samples).verdict == "refuted"
+    assert certify.along(lambda q: 2 - q.sum(axis=1), 2.0, samples).verdict == "certified"
+    assert certify.along(lambda q: -1 - q.sum(axis=1), 2.0, samples).verdict == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -288,9 +290,9 @@ def test_single_samples_and_pieces_of_no_length(samples):
 @pytest.mark.filterwarnings("ignore:invalid value")
 def test_what_cannot_be_proven_about_is_refused(f, lipschitz, q, minimum, message):
     with pytest.raises(InputError, match=message):
-        obstacles.certify(f, lipschitz, q, minimum)
+        certify.along(f, lipschitz, q, minimum)
 
 
 def test_one_value_a_sample_is_expected():
     with pytest.raises(ValueError, match="reshape"):
-        obstacles.certify(lambda q: 1.0, 1.0, np.zeros((2, 5)))
+        certify.along(lambda q: 1.0, 1.0, np.zeros((2, 5)))

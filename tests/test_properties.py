@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from lynx_common import arm, motion, obstacles, rrr, screws
+from lynx_common import arm, certify, motion, obstacles, rrr, screws
 
 few = settings(max_examples=25)
 
@@ -113,7 +113,7 @@ def test_no_sample_of_a_motion_is_nearer_than_its_certificate(p, q, centre, mini
     def f(q):
         return obstacles.clearance(q, obstacles.Sphere(tuple(centre), 0.1))
 
-    found = obstacles.certify(f, obstacles.lipschitz_constant(), [p, q], minimum - 0.1, budget=3000)
+    found = certify.along(f, obstacles.lipschitz_constant(), [p, q], minimum - 0.1, budget=3000)
     between = f(p + np.linspace(0, 1, 201)[:, None] * (q - p))
     assert between.min() >= found.bound
     assert found.verdict != "certified" or between.min() >= minimum - 0.1

@@ -119,6 +119,32 @@ def test_a_length_is_a_number(geometry, length):
         geometry(**{name: length})
 
 
+@pytest.mark.parametrize("robot", [arm, rrr])
+def test_a_length_of_another_name_is_told_the_names_there_are(robot):
+    known = ", ".join(robot.Geometry.__dataclass_fields__)
+    with pytest.raises(GeometryError, match=f"Geometry: L1 is 0.2; there are {known}"):
+        robot.Geometry(L1=0.2)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: arm.inverse_kinematics([0.2, 0.1, 0.3], 0.0, arm.LYNX),
+        lambda: arm.solve([0.2, 0.1, 0.3], 0.0, arm.LYNX),
+        lambda: obstacles.clearance(np.zeros(5), BALL, arm.LYNX),
+    ],
+)
+def test_a_geometry_is_not_read_as_numbers(call):
+    with pytest.raises(InputError, match="geometry="):
+        call()
+
+
+def test_a_pose_given_for_a_position_is_told_the_way():
+    for arguments in ((np.eye(4),), (np.eye(4), arm.LYNX)):
+        with pytest.raises(InputError, match=r"task_of_pose\(T\) .* joint_angles"):
+            arm.inverse_kinematics(*arguments)
+
+
 # Degrees given for radians.
 
 FORTY = {  # calls in which an angle is 40

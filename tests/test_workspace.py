@@ -37,7 +37,7 @@ def by_brute_force(limits, step, row, geometry):
 @pytest.mark.parametrize(("point", "row"), workspace.POINTS.items())
 def test_a_sweep_finds_what_brute_force_finds(geometry, point, row):
     for limits in (RANGES, LIMITS[1], LIMITS[3]):
-        swept = workspace.sweep(limits, 15 * DEGREE, point, geometry)
+        swept = workspace.sweep(limits, 15 * DEGREE, point, geometry=geometry)
         points = np.unique(np.round(np.c_[swept.r, swept.z], 8) + 0.0, axis=0)
         np.testing.assert_allclose(points, by_brute_force(limits, 15 * DEGREE, row, geometry), atol=3e-8)
         assert len(points) == len(swept.r)
@@ -108,7 +108,7 @@ def test_the_gripper_of_fig_1_4():
 )
 def test_the_exact_section_holds_a_dense_sweep_and_is_filled_by_it(geometry, i, point):
     limits = LIMITS[i]
-    region = workspace.section(limits, point, geometry)
+    region = workspace.section(limits, point, geometry=geometry)
     rng = np.random.default_rng(i)
     q = np.zeros((150_000, 5))
     q[:, 1:4] = rng.uniform(*limits[1:].T, (len(q), 3))

@@ -11,6 +11,7 @@ everywhere, over the base axis too. (position, pitch, roll) is a reader's chart 
 """
 
 from ..symbolic import P, Q
+from . import formulas
 from .forward import forward_kinematics, jacobian, joint_positions, link_frames, task_coordinates
 from .geometry import JOINT_LIMITS, LYNX, Geometry, dh_table, into_limits, within_limits
 from .inverse import BRANCHES, inverse_kinematics, joint_angles
@@ -24,6 +25,7 @@ __all__ = [
     "P",
     "Q",
     "dh_table",
+    "formulas",
     "forward_kinematics",
     "into_limits",
     "inverse_kinematics",

@@ -1,17 +1,25 @@
 """Forward kinematics: where the links and the gripper are for given joint angles, and how fast they move."""
 
-from collections.abc import Callable
-from functools import cache
-
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
-from .. import dh
-from ..symbolic import P, Q, numeric, tidy
-from .geometry import LYNX, Geometry, dh_table
+from ..symbolic import P, Q, compiled
+from . import formulas
+from .geometry import LYNX, Geometry
+
+_pose = compiled(Q, P)(formulas.pose)
+_joint_positions = compiled(Q, P)(formulas.joint_positions)
+_task_coordinates = compiled(Q, P)(formulas.task_coordinates)
+_jacobian = compiled(Q, P)(formulas.jacobian)
 
 
-def forward_kinematics(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+@compiled(Q, P)
+def _link_frames() -> sp.Matrix:
+    return sp.Matrix.vstack(*formulas.frames())
+
+
+def forward_kinematics(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """Pose of the gripper in the base frame.
 
     Parameters
@@ -25,28 +33,37 @@ def forward_kinematics(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
         Homogeneous transform; its third column is the gripper's axis, its fourth the position in metres.
 
     Source: report eq. (1.2) with Table 1.2; derived in ``notebooks/A1_forward_kinematics.ipynb``.
+
+    >>> forward_kinematics([0, 0, 0, np.pi / 2, 0])[:3, 3].round(6)  # stretched out level
+    array([0.5, 0. , 0.1])
     """
-    return _pose()(q, geometry)
+    return _pose(q, geometry)
 
 
-def link_frames(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+def link_frames(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """Poses of the frames 0 (base) to 5 (gripper) in the base frame: (..., 5) to (..., 6, 4, 4).
 
     Source: the partial products of report eq. (1.2).
+
+    >>> link_frames(np.zeros((7, 5))).shape
+    (7, 6, 4, 4)
     """
-    stacked = _link_frames()(q, geometry)
+    stacked = _link_frames(q, geometry)
     return stacked.reshape(*stacked.shape[:-2], 6, 4, 4)
 
 
-def joint_positions(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+def joint_positions(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """Positions in metres of base, shoulder, elbow, wrist and gripper: (..., 5) to (..., 5, 3).
 
     Source: report eqs. (1.25) to (1.38), with this module's theta_4.
+
+    >>> joint_positions([0, np.pi / 2, 0, np.pi / 2, 0])[:, 2].round(6)  # upright: the heights
+    array([0. , 0.1, 0.3, 0.5, 0.6])
     """
-    return _joint_positions()(q, geometry)
+    return _joint_positions(q, geometry)
 
 
-def task_coordinates(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+def task_coordinates(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """What the five joints set, in coordinates that are smooth everywhere, over the base axis too.
 
     Parameters
@@ -62,52 +79,21 @@ def task_coordinates(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
         roll (= theta_5). Metres and radians; angles are not wrapped.
 
     Source: derived in ``notebooks/A1_forward_kinematics.ipynb``, "In the arm's own plane".
+
+    >>> task_coordinates([0.3, 0, 0, np.pi / 2, 0.1]).round(6)
+    array([0.3, 0.5, 0.1, 0. , 0.1])
     """
-    return _task_coordinates()(q, geometry)
+    return _task_coordinates(q, geometry)
 
 
-def jacobian(q: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+def jacobian(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """Geometric Jacobian of the gripper: (..., 5) to (..., 6, 5).
 
     Maps joint velocities in rad/s to the gripper's velocity (v, omega), m/s over rad/s, in the base frame.
 
     Source: report eqs. (3.2) and (3.3), with the axis and origin of frame i - 1 for joint i.
+
+    >>> jacobian([0, 0, 0, np.pi / 2, 0])[:3, 0].round(6)  # stretched out along x, joint 1 moves it along y
+    array([0. , 0.5, 0. ])
     """
-    return _jacobian()(q, geometry)
-
-
-@cache
-def _frames() -> list[sp.Matrix]:
-    return [sp.eye(4), *map(tidy, dh.chain(dh_table()))]
-
-
-@cache
-def _pose() -> Callable:
-    return numeric(_frames()[-1], Q, P)
-
-
-@cache
-def _link_frames() -> Callable:
-    return numeric(sp.Matrix.vstack(*_frames()), Q, P)
-
-
-@cache
-def _joint_positions() -> Callable:
-    base, shoulder, elbow, wrist, _, gripper = (T[:3, 3].T for T in _frames())
-    return numeric(sp.Matrix.vstack(base, shoulder, elbow, wrist, gripper), Q, P)
-
-
-@cache
-def _task_coordinates() -> Callable:
-    theta_1, theta_2, theta_3, theta_4, theta_5 = Q
-    # The gripper in frame 1, whose x and y axes span the arm's plane.
-    in_plane = tidy(dh.chain(dh_table()[1:])[-1])
-    pitch = theta_2 + theta_3 + theta_4 - sp.pi / 2
-    return numeric(sp.Matrix([theta_1, in_plane[0, 3], P[0] + in_plane[1, 3], pitch, theta_5]), Q, P)
-
-
-@cache
-def _jacobian() -> Callable:
-    linear = _frames()[-1][:3, 3].jacobian(Q)
-    angular = sp.Matrix.hstack(*(T[:3, 2] for T in _frames()[:-1]))
-    return numeric(linear.col_join(angular), Q, P)
+    return _jacobian(q, geometry)

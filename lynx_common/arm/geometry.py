@@ -1,6 +1,5 @@
 """The arm itself: its lengths, its joint limits and its DH table."""
 
-from collections.abc import Iterator
 from dataclasses import astuple, dataclass, fields
 
 import numpy as np
@@ -8,13 +7,13 @@ import sympy as sp
 
 from .. import dh
 from ..errors import GeometryError
+from ..reading import Record, warn_of_degrees
 from ..reading import limits as read_limits
-from ..reading import warn_of_degrees
 from ..symbolic import P, Q, real
 
 
 @dataclass(frozen=True)
-class Geometry:
+class Geometry(Record):
     """Lengths in metres; report Table 1.3. Unpacks in this order.
 
     d_1 : base to shoulder, along the vertical; L_1 : shoulder to elbow; L_2 : elbow to wrist;
@@ -31,12 +30,7 @@ class Geometry:
         for name, value in zip((field.name for field in fields(self)), astuple(self), strict=True):
             _check_length(name, value)
             object.__setattr__(self, name, float(value))
-
-    def __iter__(self) -> Iterator[float]:
-        return iter((self.d_1, self.L_1, self.L_2, self.L_3))
-
-    def __array__(self, dtype: type | None = None, copy: bool | None = None) -> np.ndarray:
-        return np.array(tuple(self), dtype=dtype)
+        object.__setattr__(self, "values", astuple(self))
 
 
 def _check_length(name: str, value: float) -> None:

@@ -1,12 +1,16 @@
 """One target at a time: joint angles on one branch, or task coordinates of a pose; errors that say why not."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .. import reading
 from ..errors import InputError, JointLimitError, NotAchievableError, OutOfReachError
-from ..symbolic import real
+from ..symbolic import TASK, XYZ, compiled
+from . import formulas
 from .geometry import JOINT_LIMITS, LYNX, Geometry, into_limits
-from .inverse import BRANCHES, XYZ, front, inverse_kinematics, reach, wrist
+from .inverse import BRANCHES, inverse_kinematics, out_of_reach
+
+_front = compiled(XYZ, TASK[3:4], TASK[4:])(formulas.front)
 
 # A position this near to the base axis, as a share of the arm's length, has no azimuth of its own.
 AXIS_TOLERANCE = 1e-9
@@ -16,7 +20,7 @@ IN_PLANE = reading.POSE_TOLERANCE
 
 
 def solve(
-    position: np.ndarray, pitch: float, roll: float = 0.0, branch: int = 0, geometry: Geometry = LYNX
+    position: ArrayLike, pitch: float, roll: float = 0.0, branch: int = 0, *, geometry: Geometry = LYNX
 ) -> np.ndarray:
     """Joint angles, (5,) radians within JOINT_LIMITS, that reach one target on one branch.
 
@@ -25,12 +29,12 @@ def solve(
     """
     if isinstance(branch, bool) or branch not in range(len(BRANCHES)):
         raise InputError(f"The branch is a number from 0 to {len(BRANCHES) - 1}; {branch!r} was given.")
-    task = front(real(position, XYZ), reading.real(pitch, "pitch"), reading.real(roll, "roll"))
+    task = _front(position, reading.real(pitch, "pitch")[..., None], reading.real(roll, "roll")[..., None])
     if task.shape != (5,) or not np.isfinite(task).all():
         raise InputError("One target is expected: three coordinates, a pitch and a roll, all finite.")
-    q = inverse_kinematics(position, pitch, roll, geometry)[int(branch)]
+    q = inverse_kinematics(position, pitch, roll, geometry=geometry)[int(branch)]
     if np.isnan(q).any():
-        raise OutOfReachError(*map(float, reach(wrist()(task, geometry), geometry)))
+        raise OutOfReachError(*out_of_reach(task, geometry))
     allowed = into_limits(q)
     for joint in np.flatnonzero(np.isnan(allowed)):
         raise JointLimitError(int(joint) + 1, float(q[joint]), *map(float, JOINT_LIMITS[joint]))

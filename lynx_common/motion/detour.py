@@ -16,6 +16,7 @@ def detour(
     radius: float,
     margin: float = 0.0,
     turn: int = 0,
+    *,
     geometry: arm.Geometry = arm.LYNX,
 ) -> Path:
     """The shortest way of the gripper that keeps ``margin`` from a circle in the arm's plane, at even speed.

@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import arm
 from ..arm.geometry import AT_LIMIT
-from ..arm.inverse import reach, wrist
+from ..arm.inverse import out_of_reach
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
 from ..reading import limits as read_limits
 from ..symbolic import TASK, real
@@ -178,7 +178,7 @@ def _failure(
     for sample in map(int, np.flatnonzero(~np.all(holds, axis=0))):
         reached, allowed, _ = (x[sample] for x in holds)
         if not reached:
-            cause: LynxError = OutOfReachError(*map(float, reach(wrist()(task[sample], geometry), geometry)))
+            cause: LynxError = OutOfReachError(*out_of_reach(task[sample], geometry))
         elif not allowed:
             joint = int(_excess(q[sample], limits).argmax())
             cause = JointLimitError(joint + 1, float(q[sample, joint]), *map(float, limits[joint]))

@@ -10,9 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from .. import reading
-from ..arm.inverse import XYZ
 from ..errors import InputError, told_apart
-from ..symbolic import TASK, real
+from ..symbolic import TASK, XYZ, real
 
 # Room for rounding: of a parameter beyond 0 or 1, and, in metres, of a line that meets the base axis.
 ROOM = 1e-9

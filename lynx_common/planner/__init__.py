@@ -2,7 +2,7 @@
 
 What is free is said by a function: ``free(q)`` takes postures (k, m) and gives (k,) of bool. The *joint travel* of
 a path is the sum of the Euclidean lengths of its straight pieces, in radians where all joints turn. Pieces are
-*checked*, at postures no farther apart than ``resolution``; for a proof there is ``obstacles.certify``.
+*checked*, at postures no farther apart than ``resolution``; for a proof there is ``certify.along``.
 
     found = planner.plan(free, limits, start, goal, iterations=2000, seed=0)
     path = planner.shortcut(free, found.path)

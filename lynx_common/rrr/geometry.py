@@ -1,6 +1,6 @@
 """The robot itself: its lengths and angles, and where its joints are."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import astuple, dataclass, fields
 from functools import cache
 
@@ -17,7 +17,7 @@ TURNS = 720  # values of alpha at which a new geometry is tried
 
 
 @dataclass(frozen=True)
-class Geometry:
+class Geometry(reading.Record):
     """Lengths in mm and angles in radians; report Tables 2.1 and 2.2.
 
     S_A : the driven link; L : the link that ends at the platform; r_platform, r_base : radii of the circles on
@@ -37,16 +37,12 @@ class Geometry:
     def __post_init__(self) -> None:
         for name, value in zip((field.name for field in fields(self)), astuple(self), strict=True):
             object.__setattr__(self, name, (_angles if name.endswith("angles") else _length)(name, value))
+        lengths = self.S_A, self.L, self.r_platform, self.r_base
+        object.__setattr__(self, "values", (*lengths, *self.base_angles, *self.platform_angles))
         if not _closes(self):
             given = f"{self.S_A:g}, {self.L:g}, {self.r_platform:g} and {self.r_base:g} mm"
             span = f"a leg spans {abs(self.S_A - self.L):g} to {self.S_A + self.L:g} mm"
             raise GeometryError("S_A, L, r_platform, r_base", given, f"{span}, and no pose lets all three close")
-
-    def __iter__(self) -> Iterator[float]:
-        return iter((self.S_A, self.L, self.r_platform, self.r_base, *self.base_angles, *self.platform_angles))
-
-    def __array__(self, dtype: type | None = None, copy: bool | None = None) -> np.ndarray:
-        return np.array(tuple(self), dtype=dtype)
 
 
 def _length(name: str, value: float) -> float:

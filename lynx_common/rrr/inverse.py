@@ -50,7 +50,7 @@ def leg_lengths(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     return np.sqrt(squared_lengths()(checked(pose), geometry))
 
 
-def solve(pose: np.ndarray, mode: int = 0, geometry: Geometry = RRR) -> np.ndarray:
+def solve(pose: np.ndarray, mode: int = 0, *, geometry: Geometry = RRR) -> np.ndarray:
     """Motor angles, (3,), for one pose (3,) and one working mode, an index into ``WORKING_MODES``.
 
     Raises AssemblyError, which names each leg that cannot close and by how much it misses, and InputError for a

@@ -29,7 +29,7 @@ def free_in(balls):
         trace, det = 100 * (3 + 2 * np.cos(q[:, 2])), 100 * np.abs(np.sin(q[:, 2]))
         elbow = det / np.sqrt((trace + np.sqrt(trace**2 - 4 * det**2)) / 2)
         posture = np.concatenate([q, np.zeros((len(q), 2))], axis=1)
-        clear = [obstacles.clearance(posture, ball, GEOMETRY) >= MARGIN for ball in balls]
+        clear = [obstacles.clearance(posture, ball, geometry=GEOMETRY) >= MARGIN for ball in balls]
         return (np.minimum(distance, elbow) >= SMALLEST) & np.logical_and.reduce(clear)
 
     return free

@@ -30,7 +30,7 @@ def limits_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
                 control.value = (low, low + NARROWEST)
         turn = np.array([0, 360])
         limits = np.deg2rad([turn, *(control.value for control in sliders), turn])
-        own = {point: workspace.section(limits, point, geometry) for point in POINTS}
+        own = {point: workspace.section(limits, point, geometry=geometry) for point in POINTS}
         regions = {point: (region, region | region.mirror()) for point, region in own.items()}
         image.value = picture(regions)
         words.value = _in_words(regions)

@@ -77,7 +77,8 @@ def reach_page(wrist: sp.Matrix, cosine: sp.Expr, shoulder: sp.Expr, geometry: a
     lines += [Line(back, COLOURS["target"], 2, dashed=True), Line(back[0, :], COLOURS["target"], 0, dots=6)]
     far = round(sum(geometry) - geometry.d_1, 2)
     sliders = [Slider(r, "r", -far, far, round(0.6 * far, 2), 0.01, "m")]
-    sliders.append(Slider(z, "z", geometry.d_1 - far, geometry.d_1 + far, geometry.d_1 + round(0.2 * far, 2), 0.01, "m"))
+    home = geometry.d_1 + round(0.2 * far, 2)
+    sliders.append(Slider(z, "z", geometry.d_1 - far, geometry.d_1 + far, home, 0.01, "m"))
     sliders.append(Slider(pitch, "pitch", -180, 180, -30))
     view = _square(("r [m]", "z [m]"), geometry.d_1, 1.15 * far, 0.2, lines)
     title = "The arm from the side, with either elbow; sliders for r, z and pitch of its gripper"

@@ -105,7 +105,7 @@ def _in_words(pose: np.ndarray, mode: int, region: Region, geometry: rrr.Geometr
         inside = rrr.reachable(pose, geometry)
         place = f"{distance:z.1f} mm {'to' if inside else 'outside'} the boundary of the workspace"
     try:
-        theta = rrr.solve(pose, mode, geometry)
+        theta = rrr.solve(pose, mode, geometry=geometry)
     except AssemblyError as fault:
         return f"<p>{fault}</p><p>{place}</p>"
     det_A, det_B = determinants(pose, theta, geometry)

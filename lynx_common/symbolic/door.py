@@ -1,46 +1,37 @@
-"""The course's symbols, each made once, and the one door from SymPy to NumPy.
-
-Symbols and numbers never share a name: ``theta_2`` and ``L_1`` are symbols, ``q`` and
-``geometry`` are arrays and records of numbers.
-"""
+"""The one door from SymPy to NumPy."""
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
-from math import prod
+from contextlib import suppress
+from functools import cache, wraps
+from math import isfinite, prod
 
 import numpy as np
 import sympy as sp
-from sympy.simplify.fu import TR5, TR10i
+from numpy.typing import ArrayLike
+from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.pycode import PythonCodePrinter
 
-from . import reading
-from .errors import InputError
-
-# The five joint angles and the four lengths of the Lynxmotion arm; report Tables 1.2 and 1.3.
-Q = sp.symbols("theta_1:6", real=True)
-P = sp.symbols("d_1 L_1:4", nonnegative=True)
-
-# What the five joints of the arm set: azimuth of its plane, signed distance from the base axis, height,
-# pitch and roll of the gripper; and the wrist in that plane, seen from the shoulder.
-TASK = sp.symbols("azimuth r z pitch roll", real=True)
-WRIST = sp.symbols("r_wrist h", real=True)
-
-ANGLES = {*Q, TASK[0], TASK[3], TASK[4]}
-
-# One row of a DH table, in general; report eq. (1.1).
-ROW = sp.symbols("a alpha d theta", real=True)
-
-# Pose of the 3-RRR's platform, and the robot's design parameters; report Tables 2.1 to 2.3. The angles beta
-# are those of the base joints about the origin, gamma those of the platform's joints about its centre.
-POSE = sp.symbols("X_c Y_c alpha", real=True)
-DESIGN = (
-    *sp.symbols("S_A L r_platform r_base", positive=True),
-    *sp.symbols("beta_1:4", real=True),
-    *sp.symbols("gamma_1:4", real=True),
-)
+from .. import reading
+from ..errors import InputError
+from .symbols import ANGLES
 
 # Samples worked through at a time, so that intermediate results stay in the processor's cache; more where an
 # expression has few entries.
 CHUNK, ENTRIES = 2048, 16
+
+
+class _Numpy(NumPyPrinter):
+    """SymPy's printer, but for a choice of two, which takes ``select`` half as long again as ``where``."""
+
+    def _print_Piecewise(self, expr: sp.Piecewise) -> str:
+        if len(expr.args) != 2 or expr.args[1][1] != sp.true:
+            return super()._print_Piecewise(expr)
+        (first, condition), (other, _) = expr.args
+        return f"where({self._print(condition)}, {self._print(first)}, {self._print(other)})"
+
+
+SETTINGS = {"fully_qualified_modules": False, "inline": True, "allow_unknown_functions": True}
+PRINTERS = {"numpy": _Numpy(SETTINGS), "math": PythonCodePrinter(SETTINGS)}
 
 
 def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Callable[..., np.ndarray]:
@@ -76,27 +67,85 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     if missing := matrix.free_symbols.difference(*vectors):
         names = ", ".join(sorted(map(str, missing)))
         raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
-    turning = [[i for i, symbol in enumerate(vector) if symbol in ANGLES] for vector in vectors]
+    angular = tuple(tuple(i for i, symbol in enumerate(vector) if symbol in ANGLES) for vector in vectors)
 
-    def f(*arrays: np.ndarray) -> np.ndarray:
-        if len(arrays) != len(vectors):
-            wanted = " and ".join(map(_named, vectors)) or "none"
-            raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
-        arrays = [real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
-        for x, symbols, angular in zip(arrays, vectors, turning, strict=True):
-            if angular:
-                reading.warn_of_degrees(x[..., angular] if len(angular) < len(symbols) else x, _named(symbols))
-        batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
-        size = prod(batch)
-        flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
-        out = np.empty((size, len(entries)))
-        chunk = CHUNK * max(1, ENTRIES // len(entries))
-        for start in range(0, size, chunk):
-            part = slice(start, start + chunk)
-            _fill(out[part], _compiled(entries, vectors), [x if x.ndim == 1 else x[part] for x in flat])
-        return out.reshape(batch + shape)
+    def f(*arrays: ArrayLike) -> np.ndarray:
+        if (sample := _sample(arrays, vectors, angular)) is not None:
+            with suppress(ArithmeticError, ValueError, TypeError, NameError, AttributeError):  # NumPy will know
+                values = _compiled(entries, vectors, "math")(*sample)
+                if isfinite(sum(values)):
+                    return np.array(values, float).reshape(shape)
+        return _of_batch(arrays, vectors, angular, entries, shape)
 
     return f
+
+
+def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:
+    """The arrays as tuples of floats, if they are one sample that needs no second look; else None."""
+    if len(arrays) != len(vectors):
+        return None
+    sample = []
+    for x, symbols, turning in zip(arrays, vectors, angular, strict=True):
+        if type(x) is np.ndarray and x.dtype == float and x.ndim == 1:
+            x = x.tolist()
+        elif isinstance(x, reading.Record):
+            x = x.values
+        elif type(x) not in (list, tuple) or not all(type(value) in (float, int) for value in x):
+            return None
+        if len(x) != len(symbols) or not isfinite(sum(x)):
+            return None
+        for i in turning:
+            if not -reading.TWO_TURNS <= x[i] <= reading.TWO_TURNS:
+                return None
+        sample.append(x)
+    return sample
+
+
+def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, entries: tuple, shape: tuple) -> np.ndarray:
+    """The values for a batch of any shape, worked through in chunks."""
+    if len(arrays) != len(vectors):
+        wanted = " and ".join(map(_named, vectors)) or "none"
+        raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
+    arrays = [np.array(x.values) if isinstance(x, reading.Record) else x for x in arrays]
+    arrays = [real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
+    for x, symbols, turning in zip(arrays, vectors, angular, strict=True):
+        if turning:
+            reading.warn_of_degrees(x[..., turning] if len(turning) < len(symbols) else x, _named(symbols))
+    batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
+    size = prod(batch)
+    flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
+    out = np.empty((size, len(entries)))
+    chunk = CHUNK * max(1, ENTRIES // len(entries))
+    for start in range(0, size, chunk):
+        part = slice(start, start + chunk)
+        _fill(out[part], _compiled(entries, vectors, "numpy"), [x if x.ndim == 1 else x[part] for x in flat])
+    return out.reshape(batch + shape)
+
+
+def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixBase]], Callable[..., np.ndarray]]:
+    """Turn a function that returns a formula into the function of numbers that ``numeric`` makes of it.
+
+    The formula is made at the first call, and kept as ``formula`` of the result.
+
+    >>> x = sp.Symbol("x", real=True)
+    >>> @compiled((x,))
+    ... def square():
+    ...     return x**2
+    >>> square([3.0])
+    array(9.)
+    """
+
+    def decorate(formula: Callable[[], sp.MatrixBase]) -> Callable[..., np.ndarray]:
+        made = cache(lambda: numeric(formula(), *vectors))
+
+        @wraps(formula)
+        def function(*arrays: ArrayLike) -> np.ndarray:
+            return made()(*arrays)
+
+        function.formula = cache(formula)
+        return function
+
+    return decorate
 
 
 def _vectors(vectors: Sequence[Sequence[sp.Symbol]]) -> tuple[tuple[sp.Symbol, ...], ...]:
@@ -126,9 +175,10 @@ def _real_valued(matrix: sp.MatrixBase) -> sp.MatrixBase:
 
 
 @cache
-def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...], ...]) -> Callable:
+def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...], ...], modules: str) -> Callable:
+    """Compiled with ``math`` for one sample, which is ten times faster there, or with NumPy for batches."""
     try:
-        return sp.lambdify(vectors, list(entries), modules="numpy", cse=True)
+        return sp.lambdify(vectors, list(entries), modules=modules, cse=True, printer=PRINTERS[modules])
     except NotImplementedError as fault:
         raise InputError(f"The expression has no NumPy function: {str(fault).partition(chr(10))[0]}.") from None
 
@@ -170,18 +220,3 @@ def _fill(out: np.ndarray, function: Callable, arrays: list[np.ndarray]) -> None
         if not finite.all():
             values[:, ~finite.all(axis=0)] = np.nan
     out[:] = values.T
-
-
-def tidy(expr: sp.Expr | sp.MatrixBase) -> sp.Expr | sp.MatrixBase:
-    """``expr``, or each entry of it, with sums of angles joined and common factors taken out.
-
-    Made for products of link transforms, where it takes hundredths of a second and ``simplify``
-    takes seconds: cos(a) cos(b) - sin(a) sin(b) becomes cos(a + b), and sin(a)**2 + cos(a)**2 becomes 1.
-    """
-    if isinstance(expr, sp.MatrixBase):
-        return expr.applyfunc(tidy)
-    (expr,) = reading.formulas(expr)
-    expanded = sp.expand(expr)
-    without_squared_sines = sp.expand(TR5(expanded))
-    ways = [expanded] if without_squared_sines == expanded else [expanded, without_squared_sines]
-    return sp.factor_terms(min(map(TR10i, ways), key=sp.count_ops))

@@ -1,0 +1,118 @@
+"""Bounds that hold between samples: proofs that a quantity stays above a minimum along a motion.
+
+Nothing here knows a robot or an obstacle. The quantity is a function of joint angles, with a known Lipschitz
+constant.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import InputError
+from .reading import real
+
+EPS = np.finfo(float).eps
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What ``along`` found.
+
+    verdict : "certified", "refuted" or "undecided".
+    bound : a lower bound of f that is proven all along, whatever the verdict.
+    evaluations : how many values of f were asked for.
+    witness : joint angles, (m,), where f is below the minimum; None unless refuted.
+    """
+
+    verdict: str
+    bound: float
+    evaluations: int
+    witness: np.ndarray | None
+
+
+def along(
+    f: Callable[[np.ndarray], np.ndarray],
+    lipschitz: float,
+    q: np.ndarray,
+    minimum: float = 0.0,
+    budget: int = 100_000,
+    rounding: float = 1e-12,
+) -> Certificate:
+    """Prove that f >= minimum along a motion, or find a place where it is not.
+
+    What is proven holds at *every* point of the straight segments in joint space between neighbouring samples. It
+    says nothing of a path that leaves them, such as a straight line of the gripper. A piece of length l with the
+    value f in its middle has the lower bound f - lipschitz l / 2. Where that falls short of the minimum, the
+    piece is halved; each round evaluates all pieces that are left at once.
+
+    Parameters
+    ----------
+    f : callable
+        Takes joint angles (k, m), gives (k,).
+    lipschitz : float
+        |f(a) - f(b)| <= lipschitz |a - b| everywhere, Euclidean norm. The proof is worth as much as this number.
+    q : array, shape (n, m), n >= 1
+        Samples of the motion, in radians: [start, end], or what ``follow`` returns.
+    budget : int
+        Largest number of evaluations of f.
+    rounding : float
+        How far a value of f may be from the true one, in units of f. This, and what the rounding of q can
+        change, is taken off each bound.
+
+    Undecided where the budget is spent, or f touches the minimum within rounding. Raises InputError where q, a
+    value of f, or one of the numbers is not real and finite, or ``lipschitz`` or ``rounding`` is negative. Source:
+    the lower bound of Piyavskii and Shubert, by bisection.
+    """
+    q = _samples(q, lipschitz, minimum, rounding)
+    start, change = (q, 0 * q) if len(q) == 1 else (q[:-1], np.diff(q, axis=0))
+    reach = lipschitz * np.linalg.norm(change, axis=1)  # how far f may change along a segment
+    slack = rounding + 8 * EPS * lipschitz * np.linalg.norm(q, axis=1).max()
+    segment, middle, half = _first_pieces(len(start))
+    verdict, proven, left, evaluations = "certified", np.inf, -np.inf, 0
+    while len(segment):
+        if evaluations + len(segment) > budget:
+            return Certificate("undecided", float(min(proven, left)), evaluations, None)
+        at = start[segment] + middle[:, None] * change[segment]
+        (low, high), change_to_end = _values(f, at, slack), reach[segment] * half
+        evaluations += len(at)
+        bound = low - change_to_end
+        if high.min() < minimum:
+            return Certificate("refuted", float(min(proven, bound.min())), evaluations, at[high.argmin()])
+        short = bound < minimum
+        halve = short & (change_to_end > slack)  # below the slack halving does not help
+        verdict = "undecided" if (short & ~halve).any() else verdict
+        proven, left = (min(x, bound[part].min(initial=np.inf)) for x, part in ((proven, ~halve), (np.inf, halve)))
+        segment, middle, half = (np.repeat(x[halve], 2) for x in (segment, middle, half / 2))
+        middle += half * np.tile([-1, 1], len(half) // 2)
+    return Certificate(verdict, float(proven), evaluations, None)
+
+
+def _samples(q: np.ndarray, lipschitz: float, minimum: float, rounding: float) -> np.ndarray:
+    q = real(q, "joint angles")
+    if q.ndim != 2 or not q.size or not np.isfinite(q).all():
+        raise InputError(f"Finite joint angles are expected, (n, m) with n >= 1; shape {q.shape} was given.")
+    lipschitz, minimum, rounding = real([lipschitz, minimum, rounding], "Lipschitz constant, minimum and rounding")
+    if not (0 <= lipschitz < np.inf and np.isfinite(minimum) and 0 <= rounding < np.inf):
+        given = f"{lipschitz:g}, {minimum:g} and {rounding:g} were given"
+        raise InputError(f"Lipschitz constant, minimum and rounding are finite, the first and last >= 0; {given}.")
+    return q
+
+
+def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """All samples, as pieces of no width, and all segments: number of the segment, middle, half width.
+
+    The last two are shares of the segment: sums of powers of 1/2, so exact.
+    """
+    number = np.arange(segments)
+    segment = np.concatenate([number, number[-1:], number])
+    return segment, np.repeat([0, 1, 0.5], [segments, 1, segments]), np.repeat([0, 0.5], [segments + 1, segments])
+
+
+def _values(f: Callable[[np.ndarray], np.ndarray], q: np.ndarray, slack: float) -> tuple[np.ndarray, np.ndarray]:
+    """Between which values, (k,) each, f lies at q, (k, m)."""
+    value = real(f(q), "the quantity").reshape(len(q))
+    if (bad := ~np.isfinite(value)).any():
+        raise InputError(f"The quantity is {value[bad][0]} at q = {q[bad][0].tolist()}.")
+    doubt = slack + 4 * EPS * np.abs(value)
+    return value - doubt, value + doubt

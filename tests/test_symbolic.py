@@ -184,3 +184,49 @@ def test_symbols_carry_the_assumptions_that_simplifying_needs():
     assert [str(s) for s in (*symbolic.Q, *symbolic.P)] == [
         "theta_1", "theta_2", "theta_3", "theta_4", "theta_5", "d_1", "L_1", "L_2", "L_3",
     ]  # fmt: skip
+
+
+# One sample is computed with ``math``, a batch with NumPy; nobody can tell.
+
+HARD = [0.0, -0.0, 1.0, -1.0, 1e-300, 1e300, -8.0, 0.5, np.pi, np.nan, np.inf, -np.inf, 710.0]
+TRICKY = {
+    "a root of what may be negative": sp.cbrt(a),
+    "a logarithm": sp.log(a),
+    "a power": a**b,
+    "a quotient": a / b,
+    "an arc cosine": sp.acos(a),
+    "the larger": sp.Max(a, b),
+    "a sign": sp.sign(a),
+    "a choice": sp.Piecewise((a, a > b), (b, a < b)),
+    "a choice of two": sp.Piecewise((a, a > b), (sp.nan, True)),
+    "an exponential": sp.exp(a),
+    "an angle": sp.atan2(a, b),
+    "a step": sp.ceiling(a) + sp.floor(b),
+    "a tangent": sp.tan(a) * sp.Abs(b),
+    "a matrix": sp.Matrix([[a * b, 1], [sp.sqrt(a), 0]]),
+}
+
+
+@pytest.mark.filterwarnings("ignore:divide by zero", "ignore:overflow", "ignore:invalid value")
+@pytest.mark.parametrize("kind", TRICKY)
+def test_one_sample_gives_what_a_batch_of_one_gives(kind, rng):
+    f = numeric(TRICKY[kind], (a, b))
+    hard = [[x, y] for x in HARD for y in HARD]
+    for values in np.array([*hard, *rng.uniform(-3, 3, (50, 2))]):
+        np.testing.assert_allclose(f(values), f(values[None])[0], rtol=1e-13, err_msg=str(values))
+        np.testing.assert_array_equal(f(values.tolist()), f(values))
+
+
+def test_a_formula_that_needs_no_argument_is_compiled_when_it_is_called():
+    made = []
+
+    @symbolic.compiled((a,), (b,))
+    def product():
+        made.append(1)
+        return a * b
+
+    assert made == []
+    assert product([2.0], [3.0]) == 6
+    assert product.formula() == a * b
+    np.testing.assert_array_equal(product([[1.0], [2.0]], [3.0]), [3, 6])
+    assert made == [1]

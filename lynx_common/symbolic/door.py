@@ -136,13 +136,14 @@ def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixB
     """
 
     def decorate(formula: Callable[[], sp.MatrixBase]) -> Callable[..., np.ndarray]:
-        made = cache(lambda: numeric(formula(), *vectors))
+        once = cache(formula)
+        made = cache(lambda: numeric(once(), *vectors))
 
         @wraps(formula)
         def function(*arrays: ArrayLike) -> np.ndarray:
             return made()(*arrays)
 
-        function.formula = cache(formula)
+        function.formula = once
         return function
 
     return decorate

@@ -580,6 +580,13 @@ def test_differences_are_those_of_the_motion_itself():
         assert motion.duration(q, np.inf, 0.5) == pytest.approx(0.5 * np.sqrt(6 / 0.5))
 
 
+def test_the_speed_at_the_very_end_counts():
+    """At constant acceleration, q = s^2, the speed is 2 there and less at every sample before."""
+    q = np.outer(np.linspace(0, 1, 11) ** 2, [1, 0, 0, 0, 0])
+    assert motion.duration(q, 1.0, np.inf) == pytest.approx(2)
+    assert motion.duration(q[::-1], 1.0, np.inf) == pytest.approx(2)
+
+
 def test_in_the_shortest_time_a_limit_is_met_and_none_is_exceeded(rng):
     task = motion.sinusoidal(A, B, [0.2, 0.02, 0, 0, 0])(motion.quintic(np.linspace(0, 1, 500))[0])
     q = motion.follow(task, limits=UNLIMITED).q

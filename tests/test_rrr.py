@@ -609,3 +609,18 @@ def test_degrees_for_alpha_are_noticed(call):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         call(-2 * np.pi)
+
+
+def test_two_poses_that_nearly_meet_are_still_two():
+    """Where det A is zero, in the middle at 35.4795 deg, two poses meet; a motor's turn by 1e-10 parts them."""
+    low, high = np.deg2rad([30.0, 40.0])
+    for _ in range(60):
+        middle = np.array([0, 0, (low + high) / 2])
+        A, _ = rrr.jacobians(middle, rrr.inverse_kinematics(middle)[0])
+        low, high = (middle[2], high) if np.linalg.det(A) < 0 else (low, middle[2])
+    assert np.rad2deg(low) == pytest.approx(35.4795, abs=1e-4)
+    for turn, parted in ((1e-8, 2.3e-4), (1e-10, 2.3e-5)):
+        poses = rrr.forward_kinematics(rrr.inverse_kinematics(middle)[0] + turn)
+        near = poses[np.abs(poses[:, 2] - low) < 1e-2]
+        assert len(near) == 2
+        assert np.ptp(near[:, 2]) == pytest.approx(parted, rel=0.05)

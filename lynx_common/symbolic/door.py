@@ -72,9 +72,7 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     def f(*arrays: ArrayLike) -> np.ndarray:
         if (sample := _sample(arrays, vectors, angular)) is not None:
             with suppress(ArithmeticError, ValueError, TypeError, NameError, AttributeError):  # NumPy will know
-                values = _compiled(entries, vectors, "math")(*sample)
-                if isfinite(sum(values)):
-                    return np.array(values, float).reshape(shape)
+                return np.array(_compiled(entries, vectors, "math")(*sample), float).reshape(shape)
         return _of_batch(arrays, vectors, angular, entries, shape)
 
     return f

@@ -9,6 +9,7 @@ alpha beyond a full turn each way warns that degrees were meant.
 """
 
 from ..symbolic import DESIGN, POSE
+from . import formulas
 from .condition import self_motion
 from .forward import assemble, forward_kinematics
 from .geometry import RRR, Geometry, base_joints, elbows, platform_joints
@@ -26,6 +27,7 @@ __all__ = [
     "base_joints",
     "constant_orientation_workspace",
     "elbows",
+    "formulas",
     "forward_kinematics",
     "inverse_kinematics",
     "jacobians",

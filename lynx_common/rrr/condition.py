@@ -1,18 +1,17 @@
 """The condition on alpha for the robot to close at given motor angles, and motor angles that do not fix it."""
 
-from collections.abc import Callable
-from functools import cache
-
 import numpy as np
-import sympy as sp
 
-from ..symbolic import DESIGN, POSE, numeric, real
-from .geometry import RRR, THETA, Geometry, elbows, platform, platform_joints
-from .velocity import cross
+from ..symbolic import DESIGN, POSE, compiled, real
+from . import formulas
+from .formulas import ELBOWS, THETA
+from .geometry import RRR, Geometry, elbows, platform_joints
 
-ELBOWS = sp.symbols("M_1x M_1y M_2x M_2y M_3x M_3y", real=True)
 ALPHAS = np.pi / 4 * np.arange(8)  # a trigonometric polynomial of degree 3 is known by its values at these
 LOOSE = 1e-5  # misfit of elbows and platform, as a share of L, below which the platform counts as free
+
+
+_condition = compiled(POSE[2:], ELBOWS, DESIGN)(formulas.condition)
 
 
 def self_motion(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
@@ -34,30 +33,10 @@ def self_motion(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     return congruent | always
 
 
-@cache
-def condition() -> sp.Matrix:
-    """The condition on alpha as two terms that are equal, in symbols: for the triangle of sides a, b, a - b,
-
-        |a|^2 |b|^2 |a - b|^2 = 4 L^2 (a x b)^2,
-
-    that is, the radius of the circle about its corners M_i - R(alpha) r_i is L.
-    """
-    at_origin = platform().subs({POSE[0]: 0, POSE[1]: 0})
-    corner = sp.Matrix(3, 2, ELBOWS) - at_origin
-    a, b = corner[1, :] - corner[0, :], corner[2, :] - corner[0, :]
-    sides = [v.dot(v) for v in (a, b, a - b)]
-    return sp.Matrix([sp.prod(sides), 4 * DESIGN[1] ** 2 * cross(a, b) ** 2])
-
-
 def condition_at(alpha: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
     """Both terms of the condition, (..., 2)."""
     M = elbows(theta, geometry)
-    return _condition()(alpha[..., None], M.reshape(*M.shape[:-2], 6), geometry)
-
-
-@cache
-def _condition() -> Callable:
-    return numeric(condition(), POSE[2:], ELBOWS, DESIGN)
+    return _condition(alpha[..., None], M.reshape(*M.shape[:-2], 6), geometry)
 
 
 def as_complex(points: np.ndarray) -> np.ndarray:

@@ -7,7 +7,8 @@ import numpy as np
 from ..errors import NoPoseError, SelfMotionError
 from ..symbolic import POSE, real
 from .condition import ALPHAS, as_complex, condition_at, self_motion
-from .geometry import RRR, THETA, Geometry, checked, elbows, one, platform_joints
+from .formulas import THETA
+from .geometry import RRR, Geometry, checked, elbows, one, platform_joints
 from .velocity import velocity_rows
 
 MODES = 6  # assembly modes, at most
@@ -136,7 +137,7 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
 
 def _open(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, np.ndarray]:
     """(|PP_i - M_i|^2 - L^2) / 2, which is about L times the miss, and its derivative A."""
-    A = velocity_rows()(pose, theta, geometry)[..., :3]
+    A = velocity_rows(pose, theta, geometry)[..., :3]
     return ((A[..., :2] ** 2).sum(axis=-1) - geometry.L**2) / 2, A
 
 

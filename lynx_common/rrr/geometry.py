@@ -1,17 +1,16 @@
 """The robot itself: its lengths and angles, and where its joints are."""
 
-from collections.abc import Callable
 from dataclasses import astuple, dataclass, fields
-from functools import cache
 
 import numpy as np
 import sympy as sp
 
 from .. import reading
 from ..errors import GeometryError, InputError
-from ..symbolic import DESIGN, POSE, Q, numeric, real
+from ..symbolic import DESIGN, POSE, compiled, real
+from . import formulas
+from .formulas import THETA
 
-THETA = Q[:3]
 CORNERS = (np.pi / 2, 7 * np.pi / 6, 11 * np.pi / 6)
 TURNS = 720  # values of alpha at which a new geometry is tried
 
@@ -91,21 +90,31 @@ def _closes(geometry: Geometry) -> bool:
 RRR = Geometry()
 
 
+_base_joints = compiled(DESIGN)(formulas.base_joints)
+_platform_joints = compiled(POSE, DESIGN)(formulas.platform_joints)
+
+
+@compiled(THETA[:1], (DESIGN[0], DESIGN[3], DESIGN[4]))
+def _elbow() -> sp.Matrix:
+    """That of one leg; a leg is S_A, r_base and its base angle."""
+    return (formulas.base_joints() + formulas.driven_links())[0, :].T
+
+
 def base_joints(geometry: Geometry = RRR) -> np.ndarray:
     """The motors PB_1, PB_2, PB_3, in mm: (3, 2)."""
-    return _base_joints()(np.asarray(geometry))
+    return _base_joints(geometry)
 
 
 def platform_joints(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """The platform's joints PP_i in mm: (..., 3) to (..., 3, 2); report eq. (2.1) with the angles of Table 2.2."""
-    return _platform_joints()(checked(pose), geometry)
+    return _platform_joints(checked(pose), geometry)
 
 
 def elbows(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2). NaN makes NaN of its own elbow."""
     S_A, _, _, r_base, *_ = geometry
     legs = [(S_A, r_base, beta) for beta in geometry.base_angles]
-    return _elbow()(real(theta, THETA)[..., None], np.array(legs))
+    return _elbow(real(theta, THETA)[..., None], np.array(legs))
 
 
 def checked(pose: np.ndarray) -> np.ndarray:
@@ -121,39 +130,3 @@ def one(what: str, values: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.nda
     if values.ndim > 1 or not np.isfinite(values).all():
         raise InputError(f"One {what} is expected, {len(symbols)} finite numbers; {values.tolist()} was given.")
     return values
-
-
-@cache
-def _base_joints() -> Callable:
-    return numeric(base(), DESIGN)
-
-
-@cache
-def _platform_joints() -> Callable:
-    return numeric(platform(), POSE, DESIGN)
-
-
-@cache
-def _elbow() -> Callable:
-    """That of one leg; a leg is S_A, r_base and its base angle."""
-    return numeric((base() + driven())[0, :].T, THETA[:1], (DESIGN[0], DESIGN[3], DESIGN[4]))
-
-
-def base() -> sp.Matrix:
-    """PB_i as rows, in symbols."""
-    _, _, _, r_base, *angles = DESIGN
-    return sp.Matrix([[r_base * sp.cos(beta), r_base * sp.sin(beta)] for beta in angles[:3]])
-
-
-def platform() -> sp.Matrix:
-    """PP_i as rows, in symbols; report eqs. (2.1) and (2.2)."""
-    (X_c, Y_c, alpha), (_, _, r_platform, *_) = POSE, DESIGN
-    R = sp.Matrix([[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]])
-    corners = [r_platform * sp.Matrix([sp.cos(gamma), sp.sin(gamma)]) for gamma in DESIGN[7:]]
-    return sp.Matrix([(R * corner + sp.Matrix([X_c, Y_c])).T for corner in corners])
-
-
-def driven() -> sp.Matrix:
-    """M_i - PB_i as rows, in symbols."""
-    S_A = DESIGN[0]
-    return sp.Matrix([[S_A * sp.cos(theta), S_A * sp.sin(theta)] for theta in THETA])

@@ -1,17 +1,18 @@
 """Velocities: how motors and platform move together, and where that breaks down."""
 
-from collections.abc import Callable
-from functools import cache
-
 import numpy as np
-import sympy as sp
 
-from ..symbolic import DESIGN, POSE, numeric, real
-from .geometry import RRR, THETA, Geometry, base, checked, driven, platform
+from ..symbolic import DESIGN, POSE, compiled, real
+from . import formulas
+from .formulas import THETA
+from .geometry import RRR, Geometry, checked
 
 # Shares below which a determinant counts as zero. Rounding of a pose at which a leg is stretched bends the leg
 # by about the square root of the machine's precision, 1e-8.
 SINGULAR = 1e-6
+
+
+velocity_rows = compiled(POSE, THETA, DESIGN)(formulas.velocity_rows)
 
 
 def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> tuple[np.ndarray, np.ndarray]:
@@ -36,7 +37,7 @@ def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> 
 
     Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
     """
-    rows = velocity_rows()(checked(pose), real(theta, THETA), geometry)
+    rows = velocity_rows(checked(pose), real(theta, THETA), geometry)
     return rows[..., :3], rows[..., 3, None] * np.eye(3)
 
 
@@ -55,20 +56,3 @@ def singularity_type(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = R
     with np.errstate(invalid="ignore"):  # NaN
         second = np.abs(np.linalg.det(A / np.array([L, L, L * r_platform]))) <= SINGULAR
     return np.where(np.isfinite(sines).all(axis=-1), first + 2.0 * second, np.nan)
-
-
-@cache
-def velocity_rows() -> Callable:
-    """Per leg: the row of A, then the diagonal entry of B."""
-    C = sp.Matrix([POSE[:2]])
-    rows = []
-    for PP, PB, proximal in zip(*(joints.tolist() for joints in (platform(), base(), driven())), strict=True):
-        PP, PB, proximal = (sp.Matrix([point]) for point in (PP, PB, proximal))
-        distal = PP - PB - proximal
-        rows.append([*distal, cross(PP - C, distal), cross(proximal, distal)])
-    return numeric(sp.Matrix(rows), POSE, THETA, DESIGN)
-
-
-def cross(u: sp.Matrix, v: sp.Matrix) -> sp.Expr:
-    """The third component of the cross product of two plane vectors."""
-    return u[0] * v[1] - u[1] * v[0]

@@ -11,7 +11,7 @@ from .inverse import spans, squared_lengths
 
 def reachable(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
     """Whether all three legs close at a pose, in some working mode: (..., 3) to (...) of bool; NaN is not."""
-    legs = spans(squared_lengths()(checked(pose), geometry), geometry)
+    legs = spans(squared_lengths(checked(pose), geometry), geometry)
     return legs[..., 0] & legs[..., 1] & legs[..., 2]
 
 

@@ -8,8 +8,7 @@ from IPython.display import HTML
 
 from ... import arm, rrr
 from ...drawing import COLOURS
-from ...rrr.geometry import THETA, base, driven, platform
-from ...rrr.inverse import leg, motor_angle
+from ...rrr.formulas import THETA, base_joints, driven_links, legs, motor_angle, platform_joints
 from ...symbolic import DESIGN, POSE, TASK, WRIST, P, Q
 from ..script import Line, Slider, View, Words, page
 from .arm import HOME_DEG
@@ -105,7 +104,10 @@ def rrr_page(geometry: rrr.Geometry = rrr.RRR) -> HTML:
 
     The formulas are those of ``rrr.inverse_kinematics``: notebook Part2, sections 2 and 4.
     """
-    lines = [Line(_closed(base()), COLOURS["link"], 1.5), Line(_closed(platform()), COLOURS["x"], 3, dots=5)]
+    lines = [
+        Line(_closed(base_joints()), COLOURS["link"], 1.5),
+        Line(_closed(platform_joints()), COLOURS["x"], 3, dots=5),
+    ]
     words = []
     for i in range(3):
         more_lines, more_words = _leg(i)
@@ -123,10 +125,10 @@ def rrr_page(geometry: rrr.Geometry = rrr.RRR) -> HTML:
 
 def _leg(i: int) -> tuple[list[Line], list[Words]]:
     S_A, L, *_ = DESIGN
-    x, y = leg()[i, :]
-    start, end, distance = base()[i, :], platform()[i, :], sp.sqrt(x**2 + y**2)
+    x, y = legs()[i, :]
+    start, end, distance = base_joints()[i, :], platform_joints()[i, :], sp.sqrt(x**2 + y**2)
     angle, room = motor_angle(SIGMA[i], x, y), _room(distance, S_A, L)
-    elbow = start + driven()[i, :].subs(THETA[i], angle)
+    elbow = start + driven_links()[i, :].subs(THETA[i], angle)
     lines = [
         Line(sp.Matrix.vstack(elbow, end), COLOURS["y"], 4, dots=5, when=room),
         Line(sp.Matrix.vstack(start, elbow), COLOURS["z"], 4, dots=5, when=room),

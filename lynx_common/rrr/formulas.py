@@ -1,0 +1,89 @@
+"""The robot's closed forms, in the symbols of ``symbolic``: each stands here once, and becomes NumPy from here.
+
+Rows are the legs 1 to 3. The notebooks derive them anew, and assert that both are the same.
+"""
+
+from itertools import product
+
+import sympy as sp
+
+from ..symbolic import DESIGN, POSE, Q
+
+THETA = Q[:3]
+ELBOWS = sp.symbols("M_1x M_1y M_2x M_2y M_3x M_3y", real=True)
+
+
+def base_joints() -> sp.Matrix:
+    """PB_i, (3, 2), in DESIGN."""
+    _, _, _, r_base, *angles = DESIGN
+    return sp.Matrix([[r_base * sp.cos(beta), r_base * sp.sin(beta)] for beta in angles[:3]])
+
+
+def platform_joints() -> sp.Matrix:
+    """PP_i, (3, 2), in POSE and DESIGN; report eqs. (2.1) and (2.2)."""
+    (X_c, Y_c, alpha), (_, _, r_platform, *_) = POSE, DESIGN
+    R = sp.Matrix([[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]])
+    corners = [r_platform * sp.Matrix([sp.cos(gamma), sp.sin(gamma)]) for gamma in DESIGN[7:]]
+    return sp.Matrix([(R * corner + sp.Matrix([X_c, Y_c])).T for corner in corners])
+
+
+def driven_links() -> sp.Matrix:
+    """M_i - PB_i, (3, 2), in THETA and DESIGN."""
+    S_A = DESIGN[0]
+    return sp.Matrix([[S_A * sp.cos(theta), S_A * sp.sin(theta)] for theta in THETA])
+
+
+def legs() -> sp.Matrix:
+    """PP_i - PB_i, (3, 2), in POSE and DESIGN."""
+    return platform_joints() - base_joints()
+
+
+def squared_lengths() -> sp.Matrix:
+    """|PP_i - PB_i|^2, (3, 1), in POSE and DESIGN."""
+    return sp.Matrix([x**2 + y**2 for x, y in legs().tolist()])
+
+
+def motor_angle(sigma: sp.Expr, x: sp.Expr, y: sp.Expr) -> sp.Expr:
+    """Angle of the motor whose leg spans (x, y) and bends to the side ``sigma``; valid where the leg closes."""
+    S_A, L, *_ = DESIGN
+    squared = x**2 + y**2
+    k = squared + S_A**2 - L**2
+    below_root = ((S_A + L) ** 2 - squared) * (squared - (S_A - L) ** 2)  # (2 S_A |u|)^2 - k^2
+    root = sp.sqrt((below_root + sp.Abs(below_root)) / 2)  # not negative, whatever rounding does
+    return sp.atan2(y * k - sigma * x * root, x * k + sigma * y * root)
+
+
+def motor_angles() -> sp.Matrix:
+    """Those of the three legs for the sign +1, then for -1: (2, 3), in POSE and DESIGN."""
+    angles = [motor_angle(sigma, x, y) for sigma, (x, y) in product((1, -1), legs().tolist())]
+    return sp.Matrix(2, 3, angles)
+
+
+def velocity_rows() -> sp.Matrix:
+    """Per leg the row of A, then the diagonal entry of B: (3, 4), in POSE, THETA and DESIGN."""
+    C = sp.Matrix([POSE[:2]])
+    rows = []
+    joints = (platform_joints(), base_joints(), driven_links())
+    for PP, PB, proximal in zip(*(matrix.tolist() for matrix in joints), strict=True):
+        PP, PB, proximal = (sp.Matrix([point]) for point in (PP, PB, proximal))
+        distal = PP - PB - proximal
+        rows.append([*distal, cross(PP - C, distal), cross(proximal, distal)])
+    return sp.Matrix(rows)
+
+
+def condition() -> sp.Matrix:
+    """The condition on alpha as two terms that are equal, in alpha, ELBOWS and DESIGN. For the triangle of sides
+
+        a, b, a - b:    |a|^2 |b|^2 |a - b|^2 = 4 L^2 (a x b)^2,
+
+    that is, the radius of the circle about its corners M_i - R(alpha) r_i is L.
+    """
+    corner = sp.Matrix(3, 2, ELBOWS) - platform_joints().subs({POSE[0]: 0, POSE[1]: 0})
+    a, b = corner[1, :] - corner[0, :], corner[2, :] - corner[0, :]
+    sides = [v.dot(v) for v in (a, b, a - b)]
+    return sp.Matrix([sp.prod(sides), 4 * DESIGN[1] ** 2 * cross(a, b) ** 2])
+
+
+def cross(u: sp.Matrix, v: sp.Matrix) -> sp.Expr:
+    """The third component of the cross product of two plane vectors."""
+    return u[0] * v[1] - u[1] * v[0]

@@ -1,29 +1,22 @@
 """How fast the joints move along a path, and the shortest time in which they may."""
 
-from collections.abc import Callable
-from functools import cache
 
 import numpy as np
 import sympy as sp
 
 from .. import arm, reading
 from ..errors import InputError, JumpError
-from ..symbolic import TASK, P, Q, numeric, real
+from ..symbolic import TASK, P, Q, compiled, real
 from .following import LARGEST_STEP, STRETCHED
 
-TASK_DOT = sp.symbols("azimuth_dot r_dot z_dot pitch_dot roll_dot", real=True)
+
+@compiled(Q, P)
+def _task_jacobian() -> sp.Matrix:
+    return arm.formulas.task_coordinates().jacobian(Q)
 
 
 def joint_velocities(q: np.ndarray, task_dot: np.ndarray, geometry: arm.Geometry = arm.LYNX) -> np.ndarray:
-    r"""Joint velocities that move the task coordinates at given velocities.
-
-    The wrist's velocity in the arm's plane gives those of shoulder and elbow,
-
-    .. math:: \begin{pmatrix} \dot r_w \\ \dot h \end{pmatrix}
-        = \frac{\partial (r_w, h)}{\partial (\theta_2, \theta_3)}
-        \begin{pmatrix} \dot\theta_2 \\ \dot\theta_3 \end{pmatrix}, \qquad \det = L_1 L_2 \sin\theta_3,
-
-    the pitch that of the wrist; azimuth and roll are joint angles themselves.
+    """Joint velocities that move the task coordinates at given velocities: the Jacobian of these, solved.
 
     Parameters
     ----------
@@ -38,12 +31,12 @@ def joint_velocities(q: np.ndarray, task_dot: np.ndarray, geometry: arm.Geometry
         Radians per the same unit. NaN where the arm is straight or folded (to 1e-6 rad): there the velocities of
         the task coordinates alone do not determine it.
 
-    Source: the inverse of the Jacobian of ``arm.task_coordinates``.
+    Source: the Jacobian of ``arm.task_coordinates``, whose determinant is L_1 L_2 sin(theta_3), but for its sign.
     """
-    with np.errstate(divide="ignore"):
-        q_dot = _velocities()(q, task_dot, geometry)
-    singular = np.abs(np.sin(real(q, Q)[..., 2])) <= STRETCHED
-    return np.where(singular[..., None], np.nan, q_dot)
+    J, task_dot = _task_jacobian(q, geometry), real(task_dot, TASK)
+    bent = np.abs(np.sin(real(q, Q)[..., 2])) > STRETCHED  # det J = -L_1 L_2 sin(theta_3); False at NaN
+    J = np.where(bent[..., None, None], J, np.eye(5))
+    return np.where(bent[..., None], np.linalg.solve(J, task_dot[..., None])[..., 0], np.nan)
 
 
 def duration(q: np.ndarray, speed_limits: np.ndarray, acceleration_limits: np.ndarray) -> float:
@@ -104,18 +97,3 @@ def _limit(name: str, values: np.ndarray) -> np.ndarray:
     if values.shape not in ((), (5,)) or not np.all(values > 0):
         raise InputError(f"A limit of {name} is one positive number, or one a joint; {values.tolist()} was given.")
     return values
-
-
-@cache
-def _velocities() -> Callable:
-    (_, theta_2, theta_3, theta_4, _), (d_1, L_1, L_2, L_3) = Q, P
-    (_, r, z, pitch, _), (azimuth_dot, r_dot, z_dot, pitch_dot, roll_dot) = TASK, TASK_DOT
-    phi = theta_2 + theta_3 + theta_4 - sp.pi / 2
-    wrist = sp.Matrix([r - L_3 * sp.cos(pitch), z - d_1 - L_3 * sp.sin(pitch)])  # report eqs. (1.17), (1.18)
-    wrist_dot = wrist.jacobian([r, z, pitch]) * sp.Matrix([r_dot, z_dot, pitch_dot])
-    elbow = L_1 * sp.Matrix([sp.cos(theta_2), sp.sin(theta_2)])
-    forearm = L_2 * sp.Matrix([sp.cos(theta_2 + theta_3), sp.sin(theta_2 + theta_3)])
-    J = (elbow + forearm).jacobian([theta_2, theta_3])
-    theta_2_dot, theta_3_dot = J.adjugate() * wrist_dot.subs(pitch, phi) / (L_1 * L_2 * sp.sin(theta_3))
-    theta_4_dot = pitch_dot - theta_2_dot - theta_3_dot
-    return numeric(sp.Matrix([azimuth_dot, theta_2_dot, theta_3_dot, theta_4_dot, roll_dot]), Q, TASK_DOT, P)

@@ -71,6 +71,17 @@ def velocity_rows() -> sp.Matrix:
     return sp.Matrix(rows)
 
 
+def newton() -> sp.Matrix:
+    """(|PP_i - M_i|^2 - L^2) / 2, about L times the miss of each distal link; and the step of Newton's method on
+    these, whose derivative is A: two rows, (2, 3), in POSE, THETA and DESIGN.
+    """
+    A = velocity_rows()[:, :3]
+    off = sp.Matrix([(x**2 + y**2 - DESIGN[1] ** 2) / 2 for x, y, _ in A.tolist()])
+    u, v, w = (A[i, :] for i in range(3))
+    step = sp.Matrix.hstack(v.cross(w).T, w.cross(u).T, u.cross(v).T) * off / u.dot(v.cross(w))
+    return sp.Matrix.vstack(off.T, step.T)
+
+
 def condition() -> sp.Matrix:
     """The condition on alpha as two terms that are equal, in alpha, ELBOWS and DESIGN. For the triangle of sides
 

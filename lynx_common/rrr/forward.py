@@ -5,11 +5,11 @@ from functools import cache
 import numpy as np
 
 from ..errors import NoPoseError, SelfMotionError
-from ..symbolic import POSE, real
+from ..symbolic import DESIGN, POSE, compiled, real
+from . import formulas
 from .condition import ALPHAS, as_complex, condition_at, self_motion
 from .formulas import THETA
 from .geometry import RRR, Geometry, checked, elbows, one, platform_joints
-from .velocity import velocity_rows
 
 MODES = 6  # assembly modes, at most
 
@@ -18,6 +18,9 @@ NEARLY_REAL = 1e-3  # where two real roots nearly meet, rounding can give them i
 NEWTON = 6  # steps; four suffice but where two poses nearly meet
 CLOSED = 1e-12  # largest miss of a leg that counts as closed, as a share of S_A + L
 SAME = 1e-7  # solutions nearer than this, in radians and shares of L, are one
+
+
+_newton = compiled(POSE, THETA, DESIGN)(formulas.newton)
 
 
 def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
@@ -76,9 +79,10 @@ def _poses(theta: np.ndarray, geometry: Geometry) -> np.ndarray:
     alpha = _roots(theta[sound], geometry)
     row, column = np.nonzero(np.isfinite(alpha))
     theta, alpha = theta[sound[row]], alpha[row, column]
+    start = np.concatenate([np.c_[centre, alpha] for centre in _centres(alpha, theta, geometry)])
+    refined = _refined(start, np.concatenate([theta, theta]), geometry)
     for side in (0, 1):
-        start = np.c_[_centres(alpha, theta, geometry)[side], alpha]
-        pose[sound[row], column + side * MODES] = _refined(start, theta, geometry)
+        pose[sound[row], column + side * MODES] = refined[side * len(row) : (side + 1) * len(row)]
     return _distinct(pose, geometry)
 
 
@@ -123,22 +127,14 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
     """
     best, least = pose, np.full(len(pose), np.inf)
     for _ in range(NEWTON + 1):
-        off, A = _open(pose, theta, geometry)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            off, step = np.moveaxis(_newton(pose, theta, geometry), -2, 0)
         miss = np.abs(off).max(axis=-1, initial=0)
         best = np.where((miss < least)[:, None], pose, best)
         least = np.fmin(miss, least)
-        u, v, w = np.moveaxis(A, -2, 0)
-        columns = np.stack([np.cross(v, w), np.cross(w, u), np.cross(u, v)], axis=-1)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            pose = pose - (columns @ off[..., None])[..., 0] / (u * columns[..., 0]).sum(axis=-1)[:, None]
+        pose = pose - step
     S_A, L, *_ = geometry
     return np.where((least <= CLOSED * (S_A + L) * L)[:, None], _wrap(best), np.nan)
-
-
-def _open(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, np.ndarray]:
-    """(|PP_i - M_i|^2 - L^2) / 2, which is about L times the miss, and its derivative A."""
-    A = velocity_rows(pose, theta, geometry)[..., :3]
-    return ((A[..., :2] ** 2).sum(axis=-1) - geometry.L**2) / 2, A
 
 
 def _distinct(pose: np.ndarray, geometry: Geometry) -> np.ndarray:

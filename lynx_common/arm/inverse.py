@@ -76,8 +76,12 @@ def inverse_kinematics(
             "A position (x, y, z), a pitch and a roll are expected. Of a pose T, task_of_pose(T) gives the task "
             "coordinates, and joint_angles of these both elbows."
         )
-    pitch, roll = real(pitch, "pitch")[..., None], real(roll, "roll")[..., None]
-    return _branches(position, pitch, roll, geometry)
+    return _branches(position, _column(pitch, "pitch"), _column(roll, "roll"), geometry)
+
+
+def _column(x: ArrayLike, name: str) -> np.ndarray | tuple[float]:
+    """``x``, (...), with a last axis of length 1."""
+    return (float(x),) if isinstance(x, float) else real(x, name)[..., None]
 
 
 def out_of_reach(task: ArrayLike, geometry: Geometry) -> tuple[float, float, float]:

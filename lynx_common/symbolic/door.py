@@ -92,9 +92,8 @@ def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:
             return None
         if len(x) != len(symbols) or not isfinite(sum(x)):
             return None
-        for i in turning:
-            if not -reading.TWO_TURNS <= x[i] <= reading.TWO_TURNS:
-                return None
+        if turning and max([abs(x[i]) for i in turning]) > reading.TWO_TURNS:
+            return None
         sample.append(x)
     return sample
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from functools import cache, wraps
+from functools import cache, partial, wraps
 from math import isfinite, prod
 
 import numpy as np
@@ -69,11 +69,13 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
         raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
     angular = tuple(tuple(i for i, symbol in enumerate(vector) if symbol in ANGLES) for vector in vectors)
 
+    compiled_with = cache(partial(_compiled, entries, vectors))  # hashing the entries takes longer than the work
+
     def f(*arrays: ArrayLike) -> np.ndarray:
         if (sample := _sample(arrays, vectors, angular)) is not None:
             with suppress(ArithmeticError, ValueError, TypeError, NameError, AttributeError):  # NumPy will know
-                return np.array(_compiled(entries, vectors, "math")(*sample), float).reshape(shape)
-        return _of_batch(arrays, vectors, angular, entries, shape)
+                return np.array(compiled_with("math")(*sample), float).reshape(shape)
+        return _of_batch(arrays, vectors, angular, compiled_with("numpy"), (len(entries), shape))
 
     return f
 
@@ -98,8 +100,9 @@ def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:
     return sample
 
 
-def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, entries: tuple, shape: tuple) -> np.ndarray:
-    """The values for a batch of any shape, worked through in chunks."""
+def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable, out: tuple) -> np.ndarray:
+    """The values for a batch of any shape, worked through in chunks; ``out`` is their number and their shape."""
+    entries, shape = out
     if len(arrays) != len(vectors):
         wanted = " and ".join(map(_named, vectors)) or "none"
         raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
@@ -111,12 +114,12 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, entries: tuple, sha
     batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
     size = prod(batch)
     flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
-    out = np.empty((size, len(entries)))
-    chunk = CHUNK * max(1, ENTRIES // len(entries))
+    values = np.empty((size, entries))
+    chunk = CHUNK * max(1, ENTRIES // entries)
     for start in range(0, size, chunk):
         part = slice(start, start + chunk)
-        _fill(out[part], _compiled(entries, vectors, "numpy"), [x if x.ndim == 1 else x[part] for x in flat])
-    return out.reshape(batch + shape)
+        _fill(values[part], function, [x if x.ndim == 1 else x[part] for x in flat])
+    return values.reshape(batch + shape)
 
 
 def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixBase]], Callable[..., np.ndarray]]:

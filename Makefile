@@ -15,6 +15,9 @@ lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=...: in ano
 test: .venv/ready  ## test the package; re-run every notebook and compare every output
 	@$(VENV)/python -m pytest
 
+lint: .venv/ready  ## ask ruff about code and notebooks, and whether the code is formatted
+	@$(VENV)/ruff check && $(VENV)/ruff format --check
+
 figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebook, ONLY=1.2: one figure)
 	@$(VENV)/python -m lynx_common.course.execute figures $(ONLY)
 
@@ -61,4 +64,4 @@ $(foreach ready,$(wildcard .venv*/ready),$(shell \
 	@[ $* != .venv ] || MPLCONFIGDIR=$*/matplotlib $*/bin/python -c "import matplotlib.font_manager"
 	@printf %s "$$PWD" >$@
 
-.PHONY: help lab test figures notebooks site bench browser clean
+.PHONY: help lab test lint figures notebooks site bench browser clean

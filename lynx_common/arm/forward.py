@@ -93,7 +93,7 @@ def jacobian(q: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
 
     Source: report eqs. (3.2) and (3.3), with the axis and origin of frame i - 1 for joint i.
 
-    >>> jacobian([0, 0, 0, np.pi / 2, 0])[:3, 0].round(6)  # stretched out along x, joint 1 moves it along y
+    >>> jacobian([0, 0, 0, np.pi / 2, 0])[:3, 0].round(6) + 0.0  # stretched out along x, joint 1 moves it along y
     array([0. , 0.5, 0. ])
     """
     return _jacobian(q, geometry)

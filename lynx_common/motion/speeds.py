@@ -1,6 +1,5 @@
 """How fast the joints move along a path, and the shortest time in which they may."""
 
-
 import numpy as np
 import sympy as sp
 

@@ -82,6 +82,7 @@ def test_back_is_the_same_shape_as_front_with_the_base_turned_half_round(rng):
     np.testing.assert_allclose(apart(rows[:, 2:, :1], rows[:, :2, :1]), np.pi, atol=1e-12)
 
 
+@pytest.mark.committed_lengths
 def test_angles_lie_in_one_turn(rng):
     rows = arm.inverse_kinematics(*chart(rng.uniform(-9, 9, (10_000, 5))))
     assert (rows > -np.pi).all()
@@ -118,6 +119,7 @@ def test_at_full_stretch_both_elbows_are_one():
     np.testing.assert_array_equal(up, down)
 
 
+@pytest.mark.committed_lengths
 def test_with_the_wrist_on_the_shoulder_the_pose_is_still_reached(rng):
     """The upper arm may then point anywhere: the rows are two of infinitely many."""
     pitch = rng.uniform(-np.pi, np.pi, 100)
@@ -210,6 +212,7 @@ def test_solve_says_how_far_a_target_is_out_of_reach():
     assert error.value.distance > 0.4
 
 
+@pytest.mark.committed_lengths
 def test_solve_names_the_joint_that_leaves_its_limits():
     with pytest.raises(
         JointLimitError, match=r"Joint 2 would stand at -\d+\.\d+ deg, outside .* 0 to 180 deg"

@@ -67,6 +67,7 @@ def test_no_error_is_missing_here():
 
 
 @pytest.mark.parametrize("kind", CALLS, ids=lambda kind: kind.__name__)
+@pytest.mark.committed_lengths
 def test_a_call_gets_this_error_with_its_facts_in_a_sentence(kind):
     error = got(CALLS[kind])
     assert type(error) is kind

@@ -135,6 +135,7 @@ def test_reach_says_in_words_what_cannot_be_reached_and_recovers():
     assert image.value == picture
 
 
+@pytest.mark.committed_lengths
 def test_reach_can_leave_the_joint_limits_without_an_error():
     sliders, words, _ = parts(opened(explorers.reach_explorer))
     for slider, value in zip(sliders, (0.1, 0, 0.15, 0), strict=True):
@@ -146,6 +147,7 @@ def volumes(words: widgets.HTML) -> list[float]:
     return [float(row.split("<td>")[-1].split()[0]) for row in words.value.split("<tr>")[2:]]
 
 
+@pytest.mark.committed_lengths
 def test_limits_opens_on_the_reports_ranges_with_the_volume_of_the_shell():
     _, words, _ = parts(opened(explorers.limits_explorer))
     assert volumes(words)[0] == 173.30
@@ -218,6 +220,7 @@ def facts(words: widgets.HTML) -> list[float]:
     return [float(row.split("<td>")[-1].split()[0]) for row in words.value.split("<tr>")[1:]]
 
 
+@pytest.mark.committed_lengths
 def test_detour_opens_on_the_shortest_way_around_the_reports_obstacle():
     sliders, words, _ = parts(opened(explorers.detour_explorer))
     assert [s.value for s in sliders] == [-0.2, 0.6, 0.15, 0.03]
@@ -248,6 +251,7 @@ def test_detour_says_which_end_it_cannot_use(number, value, sentence):
     assert sentence in words.value
 
 
+@pytest.mark.committed_lengths
 def test_detour_says_when_the_links_collide():
     sliders, words, _ = parts(opened(explorers.detour_explorer))
     for slider, value in zip(sliders, (0.02, 0.3, 0.04, 0.0), strict=True):

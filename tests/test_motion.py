@@ -266,6 +266,7 @@ def assert_follows(followed, task, limits=arm.JOINT_LIMITS):
 
 @pytest.mark.parametrize("n", [101, 401, 1000])
 @pytest.mark.parametrize("points", [TABLE_1_5, OVER_THE_TOP, OVER_THE_TOP[::-1]], ids=["all", "top", "back"])
+@pytest.mark.committed_lengths
 def test_a_path_over_the_top_is_followed_within_limits(points, n):
     task = motion.polyline(points)(np.linspace(0, 1, n))
     assert_follows(motion.follow(task), task)
@@ -285,6 +286,7 @@ def test_over_the_top_the_elbow_changes_sides_at_full_stretch():
     )
 
 
+@pytest.mark.committed_lengths
 def test_without_a_sample_at_full_stretch_the_elbow_stays_on_its_side():
     task = motion.polyline(TABLE_1_5)(np.linspace(0, 1, 200))
     theta_3 = motion.follow(task).q[:, 2]
@@ -317,6 +319,7 @@ def test_room_for_rounding_is_no_more_than_that():
         assert r[1] == pytest.approx(0.2 if turned else -0.2)
 
 
+@pytest.mark.committed_lengths
 def test_the_elbow_may_change_from_the_higher_to_the_lower_where_the_wrist_crosses_the_vertical():
     """There the rows of `arm.joint_angles` change places, and a motion does not."""
     task = motion.line([0, 0.1, 0.4, np.pi / 2, 0], [0, -0.1, 0.4, np.pi / 2, 0])(np.linspace(0, 1, 50))
@@ -326,6 +329,7 @@ def test_the_elbow_may_change_from_the_higher_to_the_lower_where_the_wrist_cross
     assert {tuple(row) for row in rows} == {(True, False), (False, True)}
 
 
+@pytest.mark.committed_lengths
 def test_angles_run_on_where_the_wrist_passes_behind_the_shoulder():
     """Where atan2 jumps by a full turn, theta_2 does not."""
     limits = np.array([[-30.0, 30.0]] * 5)
@@ -403,6 +407,7 @@ def test_a_start_out_of_reach_is_named_with_its_distance():
     assert followed.continuous.all()
 
 
+@pytest.mark.committed_lengths
 def test_an_end_out_of_limits_is_named_with_its_joint():
     task = motion.line([0, 0.3, 0.3, 0, 0], [0, 0.3, 0.3, 0, 4])(np.linspace(0, 1, 5))
     failure = motion.follow(task).failure
@@ -412,6 +417,7 @@ def test_an_end_out_of_limits_is_named_with_its_joint():
         raise failure
 
 
+@pytest.mark.committed_lengths
 def test_narrower_limits_choose_the_other_elbow_or_none():
     """Table 1.5 a and e need the wrist bent by more than 90 deg, which a hobby servo of +-90 deg does not do."""
     task = motion.line(A * [1, 1, 1, 0, 1], B * [1, 1, 1, 0, 1])(np.linspace(0, 1, 40))
@@ -429,6 +435,7 @@ def test_narrower_limits_choose_the_other_elbow_or_none():
     assert failure.cause.joint == 4
 
 
+@pytest.mark.committed_lengths
 def test_a_jump_of_the_path_is_a_failure_at_the_sample_behind_it():
     """The report's theta_1 = atan2(y, x) over the base axis: from front to back between two samples."""
     s = np.linspace(0, 1, 50)
@@ -444,6 +451,7 @@ def test_a_jump_of_the_path_is_a_failure_at_the_sample_behind_it():
     assert "Between samples 49 and 50 joint 1 would move by 180.00 deg" in str(followed.failure)
 
 
+@pytest.mark.committed_lengths
 def test_after_a_gap_the_motion_may_begin_anew():
     """Low in front only one elbow keeps theta_2 within limits, and low behind only the other one."""
     s = np.linspace(0, 1, 20)
@@ -481,6 +489,7 @@ def test_a_path_that_is_nowhere_in_reach():
     assert np.isnan(followed.q).all()
 
 
+@pytest.mark.committed_lengths
 def test_a_wrist_on_the_shoulder_is_not_within_limits():
     task = motion.line([0, 0.15, 0.1, 0, 0], [0, 0.1, 0.1, 0, 0])(np.linspace(0, 1, 5))
     followed = motion.follow(task)
@@ -530,6 +539,7 @@ def test_joint_velocities_move_the_task_as_asked(geometry, rng):
 
 
 @pytest.mark.parametrize("name", ["sinusoidal", "space_line", "arc"])
+@pytest.mark.committed_lengths
 def test_joint_velocities_along_a_path_are_those_of_its_differences(name):
     path, s, step = PATHS[name], np.linspace(0.01, 0.99, 50), 1e-6
     behind, here, ahead = (motion.follow(path(s + shift), limits=UNLIMITED).q for shift in (-step, 0, step))

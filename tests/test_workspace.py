@@ -43,6 +43,7 @@ def test_a_sweep_finds_what_brute_force_finds(geometry, point, row):
         assert len(points) == len(swept.r)
 
 
+@pytest.mark.committed_lengths
 def test_the_counts_of_the_reports_sweep():
     fine, coarse = workspace.sweep(RANGES, DEGREE), workspace.sweep(RANGES, 10 * DEGREE)
     assert fine.combinations == 361 * 181 * 181 * 361 == 4_269_446_281
@@ -85,6 +86,7 @@ def test_the_share_of_wrong_voxels_falls_with_the_edge():
     assert wrong[0] > 1.5 * wrong[1] > 2.25 * wrong[2]
 
 
+@pytest.mark.committed_lengths
 def test_the_wrist_reaches_a_spherical_shell():
     region = workspace.section(RANGES)
     whole = region | region.mirror()
@@ -160,6 +162,7 @@ BAD = [
 
 
 @pytest.mark.parametrize(("call", "sentence"), BAD, ids=[sentence for _, sentence in BAD])
+@pytest.mark.committed_lengths
 def test_bad_input_gets_a_sentence(call, sentence):
     with pytest.raises(InputError, match=re.escape(sentence)):
         call()

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from lynx_common import arm, certify, motion, obstacles, rrr, screws
 
-few = settings(max_examples=25)
+few = settings(max_examples=15)
 
 
 def numbers(low: float, high: float, n: int) -> st.SearchStrategy[np.ndarray]:

@@ -71,7 +71,8 @@ def test_the_base_leaves_the_side_view_alone(controls):
     before = pixels(controls)
     controls["sliders"][0].value += 25
     middle = before.shape[1] // 2 + 30
-    assert (pixels(controls)[:, middle:] == before[:, middle:]).all()
+    change = pixels(controls)[:, middle:].astype(int) - before[:, middle:]
+    assert np.abs(change).max() <= 8  # of 255: rounding moves a line by less than can be seen
 
 
 def test_frames_come_and_go_and_reset_brings_the_first_picture_back(controls):

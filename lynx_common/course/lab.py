@@ -71,18 +71,15 @@ def environment(store: Path) -> dict[str, str]:
     places = {
         "JUPYTER_CONFIG_DIR": jupyter_core.paths.jupyter_config_dir,
         "JUPYTER_DATA_DIR": jupyter_core.paths.jupyter_data_dir,
+        "JUPYTER_RUNTIME_DIR": jupyter_core.paths.jupyter_runtime_dir,
+        "IPYTHONDIR": lambda: Path.home() / ".ipython",
     }
-    places["JUPYTER_RUNTIME_DIR"] = jupyter_core.paths.jupyter_runtime_dir
-    for name, place in places.items():
-        if not writable(Path(place())):
-            more[name] = str(store / name.lower())
-    if not writable(Path.home() / ".ipython"):
-        more["IPYTHONDIR"] = str(store / "ipython")
+    more |= {name: str(store / name.lower()) for name, place in places.items() if not writable(Path(place()))}
     return {name: value for name, value in os.environ.items() if name != "JUPYTER_PATH"} | more
 
 
-def main(folder: str, *more: str) -> int:
-    """Copy, trust, and become JupyterLab, rooted in the folder; ``more`` is handed on to it."""
+def main(folder: str) -> int:
+    """Copy, trust, and become JupyterLab, rooted in the folder."""
     place = (ROOT / folder).resolve() if folder == "work" else Path(folder).expanduser().resolve()
     if not writable(place):
         print(f"{place} cannot be written. Name another folder, as in: make lab DIR=~/robots", file=sys.stderr)
@@ -101,8 +98,8 @@ def main(folder: str, *more: str) -> int:
     if getattr(os, "geteuid", lambda: 1)() == 0:
         command.append("--allow-root")
     os.chdir(place)
-    os.execve(sys.executable, [*command, *more], environment(store))
+    os.execve(sys.executable, command, environment(store))
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(sys.argv[1]))

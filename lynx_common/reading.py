@@ -1,15 +1,18 @@
-"""Reading what is given: numbers, angles, limits, poses, formulas; or a sentence that says what was given instead.
+"""The one reader of input: numbers, angles, limits, poses, formulas; or a sentence that says what is wrong.
 
 Text is never taken for a number or a formula, and never evaluated.
 """
 
 import sys
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
+from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from .errors import GeometryError, InputError, told_apart
 
@@ -33,7 +36,7 @@ class Record:
     values: tuple[float, ...]
 
     def __new__(cls, *_: object, **parameters: object) -> "Record":
-        known = [field.name for field in fields(cls)]
+        known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # of the dataclasses made of it
         for name in parameters.keys() - known:
             raise GeometryError(name, parameters[name], f"there are {', '.join(known)}")
         return super().__new__(cls)
@@ -45,10 +48,24 @@ class Record:
         return np.array(self.values, dtype=dtype)
 
 
-def real(x: np.ndarray, name: str, *shape: int | None) -> np.ndarray:
+def length(name: str, value: Any, unit: str, zero: bool = False) -> float:
+    """A length of a robot, longer than zero unless it may be ``zero``; GeometryError otherwise."""
+    if not isinstance(value, int | float | np.number) or isinstance(value, bool | np.complexfloating):
+        raise GeometryError(name, value, f"a length is a real number of {unit}")
+    if not (np.isfinite(value) and (value > 0 or (zero and value == 0))):
+        raise GeometryError(
+            name, value, f"a length is finite and {'not negative' if zero else 'longer than zero'}"
+        )
+    return float(value)
+
+
+def real(x: ArrayLike, name: str, *shape: int | None) -> np.ndarray:
     """``x`` as float64 whose last axes have ``shape``, None being any length; InputError where they have not.
 
     SymPy's numbers are read too. Complex numbers, truth values, words, None and what is masked are refused.
+
+    >>> real([sp.Rational(1, 2), 3], "lengths")
+    array([0.5, 3. ])
     """
     if isinstance(x, Record):
         raise InputError(f"Numbers are expected for {name}, not {x}; it is given as geometry=...")
@@ -56,12 +73,64 @@ def real(x: np.ndarray, name: str, *shape: int | None) -> np.ndarray:
         x = _as_float(x, name)
     tail = x.shape[x.ndim - len(shape) :] if x.ndim >= len(shape) else ()
     if len(tail) != len(shape) or any(want not in (None, have) for have, want in zip(tail, shape, strict=True)):
-        wanted = ", ".join("n" if want is None else str(want) for want in shape)
-        raise InputError(f"The last axes of {name} must be ({wanted}); the shape given is {x.shape}.")
+        raise InputError(f"The last axes of {name} must be {_spelled(shape)}; the shape given is {x.shape}.")
     return x
 
 
-def _as_float(x: object, name: str) -> np.ndarray:
+def batch(x: ArrayLike, symbols: Sequence[sp.Symbol]) -> np.ndarray:
+    """``x`` as float64, (..., n): one value a symbol on its last axis; InputError otherwise."""
+    x = real(x, named(tuple(symbols)))
+    if x.ndim == 0 or x.shape[-1] != len(symbols):
+        names = named(tuple(symbols))
+        raise InputError(
+            f"The last axis must hold the {len(symbols)} values {names}; the shape given is {x.shape}."
+        )
+    return x
+
+
+def finite(x: ArrayLike, name: str, *shape: int | None) -> np.ndarray:
+    """``x`` as float64 of exactly this shape, None being any length, all of it finite; InputError otherwise."""
+    array = real(x, name)
+    if array.ndim != len(shape) or any(want not in (None, n) for n, want in zip(array.shape, shape, strict=True)):
+        given = shortened(x) if array.ndim < 2 else f"an array of shape {array.shape}"
+        raise InputError(f"Finite numbers of shape {_spelled(shape)} are expected for {name}; {given} was given.")
+    if not np.isfinite(array).all():
+        row = int(np.argwhere(~np.isfinite(array))[0, 0]) if array.ndim > 1 else None
+        where, given = ("", array) if row is None else (f" in row {row}", array[row])
+        raise InputError(f"Finite numbers are expected for {name}; {shortened(given)} was given{where}.")
+    return array
+
+
+def number(
+    x: Any, name: str, *, above: float | None = None, least: float | None = None, most: float | None = None
+) -> float:
+    """``x`` as one finite float within the bounds that are given; InputError otherwise.
+
+    >>> number(sp.Rational(1, 2), "step", above=0)
+    0.5
+    """
+    value = real(x, f"the {name}")
+    bounds = ((above, "above {:g}"), (least, "not below {:g}"), (most, "not above {:g}"))
+    allowed = " and ".join(text.format(bound) for bound, text in bounds if bound is not None)
+    if (
+        value.shape
+        or not np.isfinite(value)
+        or (above is not None and value <= above)
+        or (least is not None and value < least)
+        or (most is not None and value > most)
+    ):
+        raise InputError(f"The {name} is one finite number{allowed and ', '}{allowed}; {shortened(x)} was given.")
+    return float(value)
+
+
+def whole(x: Any, name: str, least: int, most: int) -> int:
+    """``x`` as a whole number from ``least`` to ``most``; InputError otherwise."""
+    if isinstance(x, bool) or not isinstance(x, int | np.integer) or not least <= x <= most:
+        raise InputError(f"The {name} is a whole number from {least} to {most}; {shortened(x)} was given.")
+    return int(x)
+
+
+def _as_float(x: Any, name: str) -> np.ndarray:
     if np.ma.is_masked(x):
         raise InputError(f"Real numbers are expected for {name}; some of those given are masked.")
     try:
@@ -78,11 +147,22 @@ def _as_float(x: object, name: str) -> np.ndarray:
         raise InputError(f"Real numbers are expected for {name}; {shortened(x)} was given.") from None
 
 
+def _spelled(shape: Sequence[int | None]) -> str:
+    names = ["n" if length is None else str(length) for length in shape]
+    return f"({', '.join(names)}{',' * (len(names) == 1)})"
+
+
+@cache
+def named(symbols: tuple[sp.Symbol, ...]) -> str:
+    """Symbols as they stand in a sentence: (x, y), or x alone."""
+    return f"({', '.join(map(str, symbols))})" if len(symbols) != 1 else str(symbols[0])
+
+
 def _objects(array: np.ndarray) -> Iterator[object]:
     return iter(array.flat if array.dtype == object else ())
 
 
-def shortened(x: object) -> str:
+def shortened(x: Any) -> str:
     """``x`` as text that fits into a sentence."""
     text = repr(x.tolist() if isinstance(x, np.ndarray) and x.size < 100 else x)
     return " ".join((text if len(text) <= 80 else f"{text[:77]}...").split())
@@ -100,21 +180,18 @@ def warn_of_degrees(angles: np.ndarray, name: str, most: float = TWO_TURNS) -> N
         warnings.warn(f"{name} = {angle:g} rad is more than {turns}; were degrees meant?", stacklevel=level + 1)
 
 
-def limits(x: np.ndarray, joints: int) -> np.ndarray:
+def limits(x: ArrayLike, joints: int | None = None) -> np.ndarray:
     """Lower and upper limit of each joint as float64, (joints, 2); InputError unless finite and none reversed."""
-    x = real(x, "limits")
-    if x.shape != (joints, 2) or not np.isfinite(x).all():
-        shape = f"a ({joints}, 2) array of finite angles: lower and upper, joints 1 to {joints}"
-        raise InputError(f"Limits are expected as {shape}; {shortened(x)} was given.")
+    x = finite(x, "limits, a lower and an upper one a joint", joints, 2)
     if (x[:, 0] > x[:, 1]).any():
         joint = int((x[:, 0] > x[:, 1]).argmax())
         lower, upper = told_apart(*x[joint])
-        raise InputError(f"The limits of joint {joint + 1} are reversed: {lower} is above {upper} rad.")
+        raise InputError(f"The limits of joint {joint + 1} are reversed: {lower} is above {upper}.")
     warn_of_degrees(x, "a limit")
     return x
 
 
-def pose(T: np.ndarray) -> np.ndarray:
+def pose(T: ArrayLike) -> np.ndarray:
     """``T`` as poses (..., 4, 4); those that hold NaN or infinity become NaN, InputError where one is no pose."""
     T = real(T, "a pose", 4, 4)
     T = np.where(np.isfinite(T).all(axis=(-2, -1), keepdims=True), T, np.nan)
@@ -130,7 +207,7 @@ def pose(T: np.ndarray) -> np.ndarray:
     return T
 
 
-def formulas(x: object, name: str = "The expression") -> sp.ImmutableDenseMatrix:
+def formulas(x: Any, name: str = "The expression") -> sp.ImmutableDenseMatrix:
     """A formula, or lists, a tuple, an array or a matrix of them, as a matrix (m, n); a list is a column.
 
     Raises InputError for text, for what is no formula, and where there is none, or a third axis.
@@ -150,7 +227,7 @@ def formulas(x: object, name: str = "The expression") -> sp.ImmutableDenseMatrix
     return sp.ImmutableDenseMatrix([[_formula(entry, name) for entry in row] for row in rows])
 
 
-def _formula(x: object, name: str) -> sp.Expr:
+def _formula(x: Any, name: str) -> sp.Expr:
     try:
         formula = sp.sympify(x, strict=True)  # strict: text is not parsed
     except (sp.SympifyError, TypeError, AttributeError):

@@ -513,8 +513,8 @@ def test_along_the_boundary_of_its_reach_the_arm_stays_straight():
         ([A, A * np.nan], arm.JOINT_LIMITS, "Sample 1 of the path is not finite"),
         ([A * 1j], arm.JOINT_LIMITS, "Real numbers"),
         ([A], arm.JOINT_LIMITS[:, ::-1], "limits of joint 1 are reversed"),
-        ([A], arm.JOINT_LIMITS[:4], r"\(5, 2\) array of finite angles"),
-        ([A], np.array([[-np.inf, np.inf]] * 5), r"\(5, 2\) array of finite angles"),
+        ([A], arm.JOINT_LIMITS[:4], r"Finite numbers.* expected for limits"),
+        ([A], np.array([[-np.inf, np.inf]] * 5), r"Finite numbers.* expected for limits"),
     ],
 )
 def test_what_cannot_be_followed_is_refused(task, limits, message):

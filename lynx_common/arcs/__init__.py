@@ -5,6 +5,7 @@ other into pieces; a piece is boundary if one side of it is inside and the other
 follows from these pieces in closed form, by Green's theorem.
 """
 
+from .circles import crossings
 from .region import Region, annulus
 
-__all__ = ["Region", "annulus"]
+__all__ = ["Region", "annulus", "crossings"]

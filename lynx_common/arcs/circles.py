@@ -14,6 +14,21 @@ def distinct(circles: np.ndarray) -> np.ndarray:
     return circles[~np.tril(alike, -1).any(axis=1)]
 
 
+def crossings(a: np.ndarray, rho_a: float, b: np.ndarray, rho_b: float) -> tuple[np.ndarray, np.ndarray]:
+    """Where circles about a and b, (..., 2), cross: to the left and to the right of the way from a to b.
+
+    Circles that touch have the same point twice, even where rounding keeps them apart; for circles that do not
+    meet it is a point between them or beyond, and for those about one centre NaN.
+    """
+    apart = b - a
+    squared = (apart * apart).sum(axis=-1, keepdims=True)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        along = (squared + rho_a**2 - rho_b**2) / (2 * squared)
+        across = np.sqrt(np.maximum(rho_a**2 / squared - along**2, 0))
+        middle, left = a + along * apart, across * apart[..., ::-1] * [-1, 1]
+    return middle + left, middle - left
+
+
 def cuts_of(circles: np.ndarray, i: int) -> np.ndarray:
     """Angles, ascending and at least one, at which the other circles meet circle ``i``."""
     x, y, rho = circles[i]

@@ -1,19 +1,17 @@
 """The arm itself: its lengths, its joint limits and its DH table."""
 
-from dataclasses import astuple, dataclass, fields
+from dataclasses import astuple, dataclass
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
-from .. import dh
-from ..errors import GeometryError
-from ..reading import Record, warn_of_degrees
-from ..reading import limits as read_limits
-from ..symbolic import P, Q, real
+from .. import dh, reading
+from ..symbolic import P, Q
 
 
 @dataclass(frozen=True)
-class Geometry(Record):
+class Geometry(reading.Record):
     """Lengths in metres; report Table 1.3. Unpacks in this order.
 
     d_1 : base to shoulder, along the vertical; L_1 : shoulder to elbow; L_2 : elbow to wrist;
@@ -27,21 +25,10 @@ class Geometry(Record):
     L_3: float = 0.1
 
     def __post_init__(self) -> None:
-        for name, value in zip((field.name for field in fields(self)), astuple(self), strict=True):
-            _check_length(name, value)
-            object.__setattr__(self, name, float(value))
+        for name in ("d_1", "L_1", "L_2", "L_3"):
+            value = reading.length(name, getattr(self, name), "metres", zero=name in ("d_1", "L_3"))
+            object.__setattr__(self, name, value)
         object.__setattr__(self, "values", astuple(self))
-
-
-def _check_length(name: str, value: float) -> None:
-    if not isinstance(value, int | float | np.number) or isinstance(value, bool | complex | np.complexfloating):
-        raise GeometryError(name, value, "a length is a real number of metres")
-    if not np.isfinite(value):
-        raise GeometryError(name, value, "a length is finite")
-    if value < 0:
-        raise GeometryError(name, value, "a length is not negative")
-    if value == 0 and name in ("L_1", "L_2"):
-        raise GeometryError(name, value, "the upper arm and the forearm are longer than zero")
 
 
 LYNX = Geometry()
@@ -69,19 +56,26 @@ def dh_table() -> list[dh.Row]:
 AT_LIMIT = 1e-9
 
 
-def within_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
+def within_limits(q: ArrayLike, limits: ArrayLike = JOINT_LIMITS) -> np.ndarray:
     """Whether every joint is within ``limits`` (5, 2), give or take full turns: (..., 5) to (...) of bool.
 
     NaN and infinite angles are not. Raises InputError unless the limits are finite, and none reversed.
+
+    >>> within_limits([[0, 1.0, 0, 1.5, 0], [0, -1.0, 0, 1.5, 0]])  # theta_2 is from 0 to 180 deg
+    array([ True, False])
     """
     return np.isfinite(into_limits(q, limits)).all(axis=-1)
 
 
-def into_limits(q: np.ndarray, limits: np.ndarray = JOINT_LIMITS) -> np.ndarray:
-    """The same angles, (..., 5), moved by full turns into ``limits``; NaN where no turn brings them there."""
-    lower, upper = read_limits(limits, 5).T
-    q = real(q, Q)
-    warn_of_degrees(q, "q")
+def into_limits(q: ArrayLike, limits: ArrayLike = JOINT_LIMITS) -> np.ndarray:
+    """The same angles, (..., 5), moved by full turns into ``limits``; NaN where no turn brings them there.
+
+    >>> into_limits([0, 1.0 + 2 * np.pi, 0, 1.5, 0])
+    array([0. , 1. , 0. , 1.5, 0. ])
+    """
+    lower, upper = reading.limits(limits, 5).T
+    q = reading.batch(q, Q)
+    reading.warn_of_degrees(q, "q")
     with np.errstate(invalid="ignore"):
         above = np.mod(q - lower + AT_LIMIT, 2 * np.pi) - AT_LIMIT
     return np.where(above <= upper - lower + AT_LIMIT, np.clip(lower + above, lower, upper), np.nan)

@@ -26,28 +26,32 @@ def solve(
 
     ``position`` is (3,) in metres, ``branch`` an index into ``BRANCHES``. Raises OutOfReachError,
     JointLimitError, and InputError for a target that is not one position and two angles, all finite.
+
+    >>> np.rad2deg(solve([0.3, 0, 0.3], pitch=0.0)).round(2)
+    array([  0.,  90., -90.,  90.,   0.])
     """
-    if isinstance(branch, bool) or branch not in range(len(BRANCHES)):
-        raise InputError(f"The branch is a number from 0 to {len(BRANCHES) - 1}; {branch!r} was given.")
-    task = _front(position, reading.real(pitch, "pitch")[..., None], reading.real(roll, "roll")[..., None])
-    if task.shape != (5,) or not np.isfinite(task).all():
-        raise InputError("One target is expected: three coordinates, a pitch and a roll, all finite.")
-    q = inverse_kinematics(position, pitch, roll, geometry=geometry)[int(branch)]
+    branch = reading.whole(branch, "branch", 0, len(BRANCHES) - 1)
+    position = reading.finite(position, "a position", 3)
+    pitch, roll = reading.number(pitch, "pitch"), reading.number(roll, "roll")
+    q = inverse_kinematics(position, pitch, roll, geometry=geometry)[branch]
     if np.isnan(q).any():
-        raise OutOfReachError(*out_of_reach(task, geometry))
+        raise OutOfReachError(*out_of_reach(_front(position, (pitch,), (roll,)), geometry))
     allowed = into_limits(q)
     for joint in np.flatnonzero(np.isnan(allowed)):
         raise JointLimitError(int(joint) + 1, float(q[joint]), *map(float, JOINT_LIMITS[joint]))
     return allowed
 
 
-def task_of_pose(T: np.ndarray, geometry: Geometry = LYNX) -> np.ndarray:
+def task_of_pose(T: ArrayLike, geometry: Geometry = LYNX) -> np.ndarray:
     """Task coordinates, (5,), of a pose ``T`` of the gripper, (4, 4), seen from the front (r >= 0).
 
     Five joints take a pose only if the gripper's axis lies in a vertical plane through the base axis,
     (p x n) . z = 0; otherwise NotAchievableError says by which angle it leaves the arm's plane. On the base axis
     the azimuth is the gripper's own, and 0 if it stands upright there. Raises InputError where ``T`` is not
     a pose. Whether the links reach is not asked here.
+
+    >>> task_of_pose([[0, 0, 1, 0.3], [0, 1, 0, 0], [-1, 0, 0, 0.2], [0, 0, 0, 1]]).round(4) + 0.0
+    array([0.    , 0.3   , 0.2   , 0.    , 3.1416])
     """
     T = reading.pose(T)
     if T.shape != (4, 4) or np.isnan(T).any():

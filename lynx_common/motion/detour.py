@@ -4,7 +4,7 @@ import numpy as np
 
 from .. import arm, reading
 from ..errors import CollisionError, EndpointError, InputError, told_apart
-from ..symbolic import TASK, real
+from ..symbolic import TASK
 from .following import follow
 from .paths import ROOM, Path, line
 
@@ -89,7 +89,7 @@ def _around(straight: Path, centre: np.ndarray, radius: float, turn: int) -> Pat
 
 
 def _ends(start: np.ndarray, end: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
-    ends = [real(task, TASK) for task in (start, end)]
+    ends = [reading.batch(task, TASK) for task in (start, end)]
     for name, task in zip(("start", "end"), ends, strict=True):
         if task.shape != (5,) or not np.isfinite(task).all():
             raise InputError(f"The {name} is five finite task coordinates; {task.tolist()} was given.")

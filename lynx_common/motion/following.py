@@ -6,12 +6,12 @@ from math import ceil, floor, prod
 
 import numpy as np
 
-from .. import arm
+from .. import arm, reading
 from ..arm.geometry import AT_LIMIT
 from ..arm.inverse import out_of_reach
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
 from ..reading import limits as read_limits
-from ..symbolic import TASK, real
+from ..symbolic import TASK
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
 LARGEST_STEP = np.pi / 2
@@ -86,7 +86,7 @@ def follow(task: np.ndarray, geometry: arm.Geometry = arm.LYNX, limits: np.ndarr
 
 
 def _samples(task: np.ndarray) -> np.ndarray:
-    task = real(task, TASK)
+    task = reading.batch(task, TASK)
     if task.ndim != 2:
         raise InputError(f"Samples of task coordinates are expected, (n, 5); the shape given is {task.shape}.")
     for sample in np.flatnonzero(~np.isfinite(task).all(axis=1)):

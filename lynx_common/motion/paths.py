@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import reading
 from ..errors import InputError, told_apart
-from ..symbolic import TASK, XYZ, real
+from ..symbolic import TASK, XYZ
 
 # Room for rounding: of a parameter beyond 0 or 1, and, in metres, of a line that meets the base axis.
 ROOM = 1e-9
@@ -103,7 +103,7 @@ def space_line(start: np.ndarray, end: np.ndarray, pitch: tuple[float, float], r
     axis: then the azimuth stays as it is and r runs on below zero. The first pitch holds at the start, the
     second at the end. Raises InputError where both positions are equal.
     """
-    start, end = real(start, XYZ), real(end, XYZ)
+    start, end = reading.batch(start, XYZ), reading.batch(end, XYZ)
     if np.array_equal(start, end):
         raise InputError(f"A line needs two different ends; both are {start.tolist()}: its length is zero.")
     (x, y, _), (u, v, _) = start, end - start
@@ -187,7 +187,7 @@ def _by_share(s: np.ndarray, functions: list[Callable]) -> np.ndarray:
 
 
 def _finite(task: np.ndarray) -> np.ndarray:
-    task = real(task, TASK)
+    task = reading.batch(task, TASK)
     if task.shape != (5,) or not np.isfinite(task).all():
         raise InputError(f"Five finite task coordinates are expected; {task.tolist()} was given.")
     return task

@@ -5,7 +5,7 @@ import sympy as sp
 
 from .. import arm, reading
 from ..errors import InputError, JumpError
-from ..symbolic import TASK, P, Q, compiled, real
+from ..symbolic import TASK, P, Q, compiled
 from .following import LARGEST_STEP, STRETCHED
 
 
@@ -32,8 +32,8 @@ def joint_velocities(q: np.ndarray, task_dot: np.ndarray, geometry: arm.Geometry
 
     Source: the Jacobian of ``arm.task_coordinates``, whose determinant is L_1 L_2 sin(theta_3), but for its sign.
     """
-    J, task_dot = _task_jacobian(q, geometry), real(task_dot, TASK)
-    bent = np.abs(np.sin(real(q, Q)[..., 2])) > STRETCHED  # det J = -L_1 L_2 sin(theta_3); False at NaN
+    J, task_dot = _task_jacobian(q, geometry), reading.batch(task_dot, TASK)
+    bent = np.abs(np.sin(reading.batch(q, Q)[..., 2])) > STRETCHED  # det J = -L_1 L_2 sin(theta_3); False at NaN
     J = np.where(bent[..., None, None], J, np.eye(5))
     return np.where(bent[..., None], np.linalg.solve(J, task_dot[..., None])[..., 0], np.nan)
 
@@ -60,7 +60,7 @@ def duration(q: np.ndarray, speed_limits: np.ndarray, acceleration_limits: np.nd
         or too few samples, or a limit is not positive; JumpError where a joint moves by more than 90 deg
         between two samples.
     """
-    q = real(q, Q)
+    q = reading.batch(q, Q)
     if q.ndim != 2 or len(q) < 4:
         raise InputError(
             f"Four samples of joint angles or more are expected, (n, 5); the shape given is {q.shape}."

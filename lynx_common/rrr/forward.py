@@ -3,27 +3,30 @@
 from functools import cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from .. import reading
+from ..arcs import crossings
 from ..errors import NoPoseError, SelfMotionError
-from ..symbolic import DESIGN, POSE, compiled, real
+from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .condition import ALPHAS, as_complex, condition_at, self_motion
+from .condition import ALPHAS, condition_at, platform_free, self_motion
 from .formulas import THETA
-from .geometry import RRR, Geometry, checked, elbows, one, platform_joints
+from .geometry import RRR, Geometry, elbows, platform_joints
 
 MODES = 6  # assembly modes, at most
-
-PART = 4096  # configurations worked through at a time
+AT_ONCE = 4096  # configurations worked through at a time
 NEARLY_REAL = 1e-3  # where two real roots nearly meet, rounding can give them imaginary parts
+NEAR = 0.2  # how far the third leg may miss, as a share of L, for a start of Newton's method
 NEWTON = 6  # steps; four suffice but where two poses nearly meet
 CLOSED = 1e-12  # largest miss of a leg that counts as closed, as a share of S_A + L
-SAME = 1e-7  # solutions nearer than this, in radians and shares of L, are one
-
+ROUNDED = 1e-15  # miss that no further step makes smaller
+ONE_POSE = 1e-7  # solutions nearer than this, in radians and shares of L, are one
 
 _newton = compiled(POSE, THETA, DESIGN)(formulas.newton)
 
 
-def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+def forward_kinematics(theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     """All poses at which the robot can be assembled with its motors at given angles.
 
     At an angle alpha each leg holds the centre at the distance L from M_i - R(alpha) r_i, with r_i the
@@ -44,24 +47,28 @@ def forward_kinematics(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarra
         (``self_motion``), even if there are isolated poses besides.
 
     Source: notebook Part2, section 7.
+
+    >>> poses = forward_kinematics(np.deg2rad([-136.4, -16.4, 103.6]))
+    >>> int(np.isfinite(poses[:, 0]).sum())  # of the six rows so many hold a pose
+    2
     """
-    theta = real(theta, THETA)
+    theta = reading.batch(theta, THETA)
     flat = theta.reshape(-1, 3)
     pose = np.empty((len(flat), MODES, 3))
-    for start in range(0, len(flat), PART):
-        part = slice(start, start + PART)
+    for start in range(0, len(flat), AT_ONCE):
+        part = slice(start, start + AT_ONCE)
         pose[part] = _poses(flat[part], geometry)
     return pose.reshape(*theta.shape[:-1], MODES, 3)
 
 
-def assemble(theta: np.ndarray, near: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+def assemble(theta: ArrayLike, near: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     """The pose, (3,), at motor angles (3,) that is nearest to the pose ``near``, (3,).
 
     Distance is that in the plane, with alpha times r_platform as the third coordinate. Raises SelfMotionError
     where the motor angles do not fix the pose, NoPoseError where none closes, and InputError for anything but
     three finite motor angles and one finite pose.
     """
-    theta, near = one("set of motor angles", theta, THETA), checked(one("pose", near, POSE))
+    theta, near = reading.finite(theta, "the motor angles", 3), reading.finite(near, "a pose", 3)
     if self_motion(theta, geometry):
         raise SelfMotionError(theta.tolist())
     pose = forward_kinematics(theta, geometry)
@@ -74,26 +81,27 @@ def assemble(theta: np.ndarray, near: np.ndarray, geometry: Geometry = RRR) -> n
 
 def _poses(theta: np.ndarray, geometry: Geometry) -> np.ndarray:
     """``forward_kinematics`` of (n, 3)."""
+    M = elbows(theta, geometry)
+    condition = condition_at(M, geometry)
+    (sound,) = np.nonzero(np.isfinite(theta).all(axis=-1) & ~platform_free(M, condition, geometry))
+    alpha = _roots(condition[sound])
+    row, root = np.nonzero(np.isfinite(alpha))
+    row, alpha = sound[row], alpha[row, root]
+    start = _starts(alpha, M[row], geometry)  # (2, k, 3), NaN where a start is none
+    side, number = np.nonzero(np.isfinite(start[..., 0]))
     pose = np.full((len(theta), 2 * MODES, 3), np.nan)
-    (sound,) = np.nonzero(np.isfinite(theta).all(axis=-1) & ~self_motion(theta, geometry))
-    alpha = _roots(theta[sound], geometry)
-    row, column = np.nonzero(np.isfinite(alpha))
-    theta, alpha = theta[sound[row]], alpha[row, column]
-    start = np.concatenate([np.c_[centre, alpha] for centre in _centres(alpha, theta, geometry)])
-    refined = _refined(start, np.concatenate([theta, theta]), geometry)
-    for side in (0, 1):
-        pose[sound[row], column + side * MODES] = refined[side * len(row) : (side + 1) * len(row)]
+    row, column = row[number], root[number] + side * MODES
+    pose[row, column] = _refined(start[side, number], theta[row], geometry)
     return _distinct(pose, geometry)
 
 
-def _roots(theta: np.ndarray, geometry: Geometry) -> np.ndarray:
-    """The angles alpha, (n, 6), that satisfy the condition; NaN for complex roots."""
-    positive, negative = np.moveaxis(condition_at(ALPHAS, theta[:, None], geometry), -1, 0)
-    value = positive - negative
+def _roots(condition: np.ndarray) -> np.ndarray:
+    """The angles alpha, (n, 6), that satisfy the condition given by its terms (n, 8, 2); NaN for complex roots."""
+    value = condition[..., 0] - condition[..., 1]
     opposite = ALPHAS[np.abs(value).argmax(axis=-1), None] - np.pi  # the largest value comes to t = infinity
     fourier = np.fft.rfft(value)[:, :4] / 8 * [1, 2, 2, 2] * np.exp(1j * opposite * np.arange(4))
     polynomial = (fourier @ _half_angle()).real  # highest power first
-    companion = np.zeros((len(theta), 6, 6))
+    companion = np.zeros((len(value), 6, 6))
     companion[:, 1:, :-1] = np.eye(5)
     companion[:, 0] = -polynomial[:, 1:] / polynomial[:, :1]
     t = np.linalg.eigvals(companion)
@@ -108,16 +116,22 @@ def _half_angle() -> np.ndarray:
     return np.array([(plus ** (3 + k) * minus ** (3 - k)).coeffs for k in range(4)])
 
 
-def _centres(alpha: np.ndarray, theta: np.ndarray, geometry: Geometry) -> tuple[np.ndarray, np.ndarray]:
-    """Both points, (n, 2), at the distance L from the two of the three points that are farthest apart."""
-    r = as_complex(platform_joints(np.zeros(3), geometry))
-    w = as_complex(elbows(theta, geometry)) - np.exp(1j * alpha[:, None]) * r
-    side = np.roll(w, -1, axis=1) - w
-    longest = np.abs(side).argmax(axis=1)[:, None]
-    side, w = (np.take_along_axis(x, longest, axis=1)[:, 0] for x in (side, w))
-    height = np.sqrt(np.maximum((2 * geometry.L / np.abs(side)) ** 2 - 1, 0)) / 2
-    both = [w + side * (0.5 + sign * 1j * height) for sign in (1, -1)]
-    return tuple(np.stack([c.real, c.imag], axis=-1) for c in both)
+def _starts(alpha: np.ndarray, M: np.ndarray, geometry: Geometry) -> np.ndarray:
+    """Poses at alpha, (k,), at which two legs close exactly and the third nearly: (2, k, 3), else NaN.
+
+    The two are those whose points M_i - R(alpha) r_i, the centre at the distance L from each, are farthest
+    apart. Both crossings can be poses, where the third point lies on another.
+    """
+    centred = np.zeros((len(alpha), 3))
+    centred[:, 2] = alpha
+    point = M - platform_joints(centred, geometry)  # (k, 3, 2)
+    side = np.roll(point, -1, axis=1) - point
+    order = (np.hypot(side[..., 0], side[..., 1]).argmax(axis=1)[:, None] + np.arange(3)) % 3
+    a, b, third = np.moveaxis(np.take_along_axis(point, order[..., None], axis=1), 1, 0)
+    centre = np.array(crossings(a, geometry.L, b, geometry.L))
+    miss = np.abs(np.hypot(*np.moveaxis(centre - third, -1, 0)) - geometry.L)
+    start = np.concatenate([centre, np.broadcast_to(alpha[:, None], (2, len(alpha), 1))], axis=-1)
+    return np.where(miss[..., None] <= NEAR * geometry.L, start, np.nan)
 
 
 def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
@@ -125,6 +139,8 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
 
     The best of all steps is kept: where two poses meet, A is singular, and a step can lead away from a solution.
     """
+    S_A, L, *_ = geometry
+    pose = _wrap(pose)
     best, least = pose, np.full(len(pose), np.inf)
     for _ in range(NEWTON + 1):
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -132,16 +148,17 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
         miss = np.abs(off).max(axis=-1, initial=0)
         best = np.where((miss < least)[:, None], pose, best)
         least = np.fmin(miss, least)
-        pose = pose - step
-    S_A, L, *_ = geometry
-    return np.where((least <= CLOSED * (S_A + L) * L)[:, None], _wrap(best), np.nan)
+        if (least <= ROUNDED * (S_A + L) * L).all():
+            break
+        pose = _wrap(pose - step)
+    return np.where((least <= CLOSED * (S_A + L) * L)[:, None], best, np.nan)
 
 
 def _distinct(pose: np.ndarray, geometry: Geometry) -> np.ndarray:
     """Each pose of (n, 12, 3) once, ordered by alpha, then X_c: (n, 6, 3)."""
     x, y, alpha = np.moveaxis(pose, -1, 0)
     parts = (x / geometry.L, y / geometry.L, np.cos(alpha), np.sin(alpha))
-    same = np.logical_and.reduce([np.abs(part[..., None] - part[:, None]) <= SAME for part in parts])
+    same = np.logical_and.reduce([np.abs(part[..., None] - part[:, None]) <= ONE_POSE for part in parts])
     again = np.tril(same, -1).any(axis=-1)
     pose = np.where(again[..., None], np.nan, pose)
     order = np.lexsort((pose[..., 0], np.round(pose[..., 2], 9)), axis=-1)[:, :MODES]

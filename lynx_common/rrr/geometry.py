@@ -1,93 +1,21 @@
 """The robot itself: its lengths and angles, and where its joints are."""
 
-from dataclasses import astuple, dataclass, fields
+from dataclasses import dataclass
+from itertools import combinations, product
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from .. import reading
+from ..arcs import crossings
 from ..errors import GeometryError, InputError
-from ..symbolic import DESIGN, POSE, compiled, real
+from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
 from .formulas import THETA
 
 CORNERS = (np.pi / 2, 7 * np.pi / 6, 11 * np.pi / 6)
 TURNS = 720  # values of alpha at which a new geometry is tried
-
-
-@dataclass(frozen=True)
-class Geometry(reading.Record):
-    """Lengths in mm and angles in radians; report Tables 2.1 and 2.2.
-
-    S_A : the driven link; L : the link that ends at the platform; r_platform, r_base : radii of the circles on
-    which the joints of platform and base lie, at platform_angles and base_angles. Raises GeometryError unless
-    the lengths are finite and longer than zero, each set of angles is three finite numbers, and there is a
-    pose at which all legs close. (A robot that misses it by less than r_platform times a quarter of a degree
-    is let pass.)
-    """
-
-    S_A: float = 170.0
-    L: float = 130.0
-    r_platform: float = 130.0
-    r_base: float = 290.0
-    base_angles: tuple[float, float, float] = CORNERS
-    platform_angles: tuple[float, float, float] = CORNERS
-
-    def __post_init__(self) -> None:
-        for name, value in zip((field.name for field in fields(self)), astuple(self), strict=True):
-            object.__setattr__(self, name, (_angles if name.endswith("angles") else _length)(name, value))
-        lengths = self.S_A, self.L, self.r_platform, self.r_base
-        object.__setattr__(self, "values", (*lengths, *self.base_angles, *self.platform_angles))
-        if not _closes(self):
-            given = f"{self.S_A:g}, {self.L:g}, {self.r_platform:g} and {self.r_base:g} mm"
-            span = f"a leg spans {abs(self.S_A - self.L):g} to {self.S_A + self.L:g} mm"
-            raise GeometryError("S_A, L, r_platform, r_base", given, f"{span}, and no pose lets all three close")
-
-
-def _length(name: str, value: float) -> float:
-    if not isinstance(value, int | float | np.number) or isinstance(value, bool | complex | np.complexfloating):
-        raise GeometryError(name, value, "a length is a real number of millimetres")
-    if not (np.isfinite(value) and value > 0):
-        raise GeometryError(name, value, "a length is finite and longer than zero")
-    return float(value)
-
-
-def _angles(name: str, value: tuple[float, float, float]) -> tuple[float, float, float]:
-    try:
-        angles = reading.real(value, name)
-    except InputError:
-        angles = np.empty(0)
-    if angles.shape != (3,) or not np.isfinite(angles).all():
-        raise GeometryError(name, value, "three finite angles in radians are expected")
-    reading.warn_of_degrees(angles, name)
-    return tuple(map(float, angles))
-
-
-def _closes(geometry: Geometry) -> bool:
-    """Whether some pose closes all legs, tried at TURNS values of alpha with room for those between them.
-
-    At one alpha each leg allows the platform's centre a ring. Rings of one size that have a point in common have
-    one where two of their circles cross (or all are the same ring, which they are not at every alpha).
-    """
-    S_A, L, r_platform, r_base, *_ = geometry
-    turn = np.exp(2j * np.pi * np.arange(TURNS) / TURNS)[:, None]
-    centre = r_base * np.exp(1j * np.array(geometry.base_angles))
-    centre = centre - turn * r_platform * np.exp(1j * np.array(geometry.platform_angles))
-    slack = np.pi / TURNS * r_platform + 1e-9 * (S_A + L)
-    ends = np.array([max(abs(S_A - L) - slack, 0), S_A + L + slack])
-    c, rho = np.repeat(centre, 2, axis=1), np.tile(ends, 3)
-    apart = c[:, None] - c[:, :, None]
-    with np.errstate(invalid="ignore", divide="ignore"):
-        along = (abs(apart) ** 2 + rho[:, None] ** 2 - rho**2) / (2 * abs(apart))
-        across = 1j * np.sqrt(rho[:, None] ** 2 - along**2)
-        crossings = [c[:, :, None] + (along + side * across) * apart / abs(apart) for side in (1, -1)]
-    points = np.concatenate([x.reshape(TURNS, -1) for x in crossings], axis=1)
-    span = abs(points[..., None] - centre[:, None])
-    rounding = 1e-9 * (S_A + L)
-    return bool(((span >= ends[0] - rounding) & (span <= ends[1] + rounding)).all(axis=-1).any())
-
-
-RRR = Geometry()
 
 
 _base_joints = compiled(DESIGN)(formulas.base_joints)
@@ -100,33 +28,94 @@ def _elbow() -> sp.Matrix:
     return (formulas.base_joints() + formulas.driven_links())[0, :].T
 
 
+@dataclass(frozen=True)
+class Geometry(reading.Record):
+    """Lengths in mm and angles in radians; report Tables 2.1 and 2.2.
+
+    S_A : the driven link; L : the link that ends at the platform; r_platform, r_base : radii of the circles on
+    which the joints of platform and base lie, at platform_angles and base_angles. Raises GeometryError unless
+    the lengths are finite and longer than zero, each set of angles is three finite numbers, and there is a
+    pose at which all legs close. (One that misses this by less than r_platform times a quarter of a degree is
+    accepted.)
+    """
+
+    S_A: float = 170.0
+    L: float = 130.0
+    r_platform: float = 130.0
+    r_base: float = 290.0
+    base_angles: tuple[float, float, float] = CORNERS
+    platform_angles: tuple[float, float, float] = CORNERS
+
+    def __post_init__(self) -> None:
+        for name in ("S_A", "L", "r_platform", "r_base"):
+            object.__setattr__(self, name, reading.length(name, getattr(self, name), "millimetres"))
+        for name in ("base_angles", "platform_angles"):
+            object.__setattr__(self, name, _angles(name, getattr(self, name)))
+        lengths = self.S_A, self.L, self.r_platform, self.r_base
+        object.__setattr__(self, "values", (*lengths, *self.base_angles, *self.platform_angles))
+        if not _closes(self):
+            given = f"{self.S_A:g}, {self.L:g}, {self.r_platform:g} and {self.r_base:g} mm"
+            span = f"a leg spans {abs(self.S_A - self.L):g} to {self.S_A + self.L:g} mm"
+            raise GeometryError("S_A, L, r_platform, r_base", given, f"{span}, and no pose lets all three close")
+
+
+def _angles(name: str, value: ArrayLike) -> tuple[float, ...]:
+    try:
+        angles = reading.finite(value, name, 3)
+    except InputError:
+        raise GeometryError(name, value, "three finite angles in radians are expected") from None
+    reading.warn_of_degrees(angles, name)
+    return tuple(angles.tolist())
+
+
+def _closes(geometry: Geometry) -> bool:
+    """Whether some pose closes all legs, tried at TURNS values of alpha, with room for those between them.
+
+    At one alpha leg i allows the platform's centre a ring about PB_i - R(alpha) r_i, all three of one size. Rings
+    of one size that have a point in common have one where two of their circles cross, so those points are tried.
+    (Three rings in one place have no such point; but they are not in one place at every alpha.)
+    """
+    S_A, L, r_platform, *_ = geometry
+    poses = np.zeros((TURNS, 3))
+    poses[:, 2] = 2 * np.pi / TURNS * np.arange(TURNS)
+    centres = _base_joints(geometry) - _platform_joints(poses, geometry)  # (alpha, leg, coordinate)
+    between, rounding = np.pi / TURNS * r_platform, 1e-9 * (S_A + L)
+    inner, outer = max(abs(S_A - L) - between, 0), S_A + L + between
+    for (i, j), (rho_i, rho_j) in product(combinations(range(3), 2), product((inner, outer), repeat=2)):
+        for points in crossings(centres[:, i], rho_i, centres[:, j], rho_j):
+            away = np.linalg.norm(points[:, None] - centres, axis=-1)
+            if ((away >= inner - rounding) & (away <= outer + rounding)).all(axis=-1).any():
+                return True
+    return False
+
+
+RRR = Geometry()
+
+
 def base_joints(geometry: Geometry = RRR) -> np.ndarray:
-    """The motors PB_1, PB_2, PB_3, in mm: (3, 2)."""
+    """The motors PB_1, PB_2, PB_3, in mm: (3, 2).
+
+    >>> base_joints().round(1).tolist()
+    [[0.0, 290.0], [-251.1, -145.0], [251.1, -145.0]]
+    """
     return _base_joints(geometry)
 
 
-def platform_joints(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
-    """The platform's joints PP_i in mm: (..., 3) to (..., 3, 2); report eq. (2.1) with the angles of Table 2.2."""
-    return _platform_joints(checked(pose), geometry)
+def platform_joints(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
+    """The platform's joints PP_i in mm: (..., 3) to (..., 3, 2); report eq. (2.1) with the angles of Table 2.2.
+
+    >>> platform_joints([0, 0, np.pi]).round(1)[0] + 0.0
+    array([   0., -130.])
+    """
+    return _platform_joints(reading.batch(pose, POSE), geometry)
 
 
-def elbows(theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
-    """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2). NaN makes NaN of its own elbow."""
+def elbows(theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
+    """The elbows M_1, M_2, M_3, in mm, for motor angles (..., 3): (..., 3, 2). NaN makes NaN of its own elbow.
+
+    >>> elbows(np.zeros(3)).round(1)[0]
+    array([170., 290.])
+    """
     S_A, _, _, r_base, *_ = geometry
     legs = [(S_A, r_base, beta) for beta in geometry.base_angles]
-    return _elbow(real(theta, THETA)[..., None], np.array(legs))
-
-
-def checked(pose: np.ndarray) -> np.ndarray:
-    """``pose`` as float64; warns where alpha can hardly be meant in radians."""
-    pose = real(pose, POSE)
-    reading.warn_of_degrees(pose[..., 2], "alpha", 2 * np.pi)
-    return pose
-
-
-def one(what: str, values: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
-    """``values`` as float64, (n,); InputError unless they are one finite number a symbol."""
-    values = real(values, symbols)
-    if values.ndim > 1 or not np.isfinite(values).all():
-        raise InputError(f"One {what} is expected, {len(symbols)} finite numbers; {values.tolist()} was given.")
-    return values
+    return _elbow(reading.batch(theta, THETA)[..., None], np.array(legs))

@@ -3,11 +3,13 @@
 from itertools import product
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ..errors import AssemblyError, InputError
+from .. import reading
+from ..errors import AssemblyError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .geometry import RRR, Geometry, checked, one
+from .geometry import RRR, Geometry
 
 # Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
 WORKING_MODES = tuple(product((1, -1), repeat=3))
@@ -21,7 +23,7 @@ squared_lengths = compiled(POSE, DESIGN)(formulas.squared_lengths)
 _motor_angles = compiled(POSE, DESIGN)(formulas.motor_angles)
 
 
-def inverse_kinematics(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+def inverse_kinematics(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     r"""Motor angles of all eight working modes that bring the platform to a pose.
 
     With :math:`u = PP_i - PB_i` and :math:`k = |u|^2 + S_A^2 - L^2`, the law of cosines gives the angle at the
@@ -39,28 +41,34 @@ def inverse_kinematics(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray
         Where PP_i = PB_i (possible if S_A = L) any angle closes, and 0 is given.
 
     Source: report eqs. (2.3) to (2.12), with the base joints put back; notebook Part2, sections 2 and 4.
+
+    >>> np.rad2deg(inverse_kinematics([0, 0, 0]))[0].round(3)  # in the middle, all legs bent to the left
+    array([-136.397,  -16.397,  103.603])
     """
-    pose = checked(pose)
     both = _motor_angles(pose, geometry)
-    both = np.where(spans(squared_lengths(pose, geometry), geometry)[..., None, :], both, np.nan)
+    both = np.where(closes(squared_lengths(pose, geometry), geometry)[..., None, :], both, np.nan)
     side = (1 - np.array(WORKING_MODES)) // 2
     return both[..., side, np.arange(3)]
 
 
-def leg_lengths(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
-    """Distances |PP_i - PB_i| in mm, which a leg spans from |S_A - L| to S_A + L: (..., 3) to (..., 3)."""
-    return np.sqrt(squared_lengths(checked(pose), geometry))
+def leg_lengths(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
+    """Distances |PP_i - PB_i| in mm, which a leg spans from |S_A - L| to S_A + L: (..., 3) to (..., 3).
+
+    >>> leg_lengths([0, 0, 0])
+    array([160., 160., 160.])
+    """
+    return np.sqrt(squared_lengths(pose, geometry))
 
 
-def solve(pose: np.ndarray, mode: int = 0, *, geometry: Geometry = RRR) -> np.ndarray:
+def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.ndarray:
     """Motor angles, (3,), for one pose (3,) and one working mode, an index into ``WORKING_MODES``.
 
     Raises AssemblyError, which names each leg that cannot close and by how much it misses, and InputError for a
     mode that there is not, or anything but one finite pose.
     """
-    if isinstance(mode, bool) or mode not in range(len(WORKING_MODES)):
-        raise InputError(f"The working mode is a number from 0 to {len(WORKING_MODES) - 1}; {mode!r} was given.")
-    theta = inverse_kinematics(one("pose", pose, POSE), geometry)[int(mode)]
+    mode = reading.whole(mode, "working mode", 0, len(WORKING_MODES) - 1)
+    pose = reading.finite(pose, "a pose", 3)
+    theta = inverse_kinematics(pose, geometry)[mode]
     if np.isnan(theta).any():
         length = leg_lengths(pose, geometry)
         (failing,) = np.nonzero(np.isnan(theta))
@@ -69,7 +77,7 @@ def solve(pose: np.ndarray, mode: int = 0, *, geometry: Geometry = RRR) -> np.nd
     return theta
 
 
-def spans(squared: np.ndarray, geometry: Geometry) -> np.ndarray:
+def closes(squared: np.ndarray, geometry: Geometry) -> np.ndarray:
     """Whether a leg can span lengths given by their squares, mm^2: (...) to (...) of bool; NaN it cannot."""
     S_A, L, *_ = geometry
     slack = REACH_TOLERANCE * (S_A + L)

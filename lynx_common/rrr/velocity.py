@@ -1,11 +1,12 @@
 """Velocities: how motors and platform move together, and where that breaks down."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ..symbolic import DESIGN, POSE, compiled, real
+from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
 from .formulas import THETA
-from .geometry import RRR, Geometry, checked
+from .geometry import RRR, Geometry
 
 # Shares below which a determinant counts as zero. Rounding of a pose at which a leg is stretched bends the leg
 # by about the square root of the machine's precision, 1e-8.
@@ -15,7 +16,7 @@ SINGULAR = 1e-6
 velocity_rows = compiled(POSE, THETA, DESIGN)(formulas.velocity_rows)
 
 
-def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> tuple[np.ndarray, np.ndarray]:
+def jacobians(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> tuple[np.ndarray, np.ndarray]:
     """A and B of A x_dot = B theta_dot, with x the pose.
 
     Row i says that the speed of PP_i along its distal link is the speed of M_i along it, times L.
@@ -36,18 +37,25 @@ def jacobians(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> 
         Diagonal, with (M_i - PB_i) x (PP_i - M_i), in mm^2.
 
     Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
+
+    >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.4, -16.4, 103.6]))
+    >>> np.diagonal(B).round() + 0.0  # all three legs bent alike
+    array([19657., 19657., 19657.])
     """
-    rows = velocity_rows(checked(pose), real(theta, THETA), geometry)
+    rows = velocity_rows(pose, theta, geometry)
     return rows[..., :3], rows[..., 3, None] * np.eye(3)
 
 
-def singularity_type(pose: np.ndarray, theta: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
+def singularity_type(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     """0 where the pose is regular, 1 where det B = 0, 2 where det A = 0, 3 where both.
 
     The arguments are those of ``jacobians``. Type 1: a leg is stretched or folded, and the platform loses a
     freedom. Type 2: the lines of the three distal links meet in a point or are parallel, and it gains one.
     Lengths are divided out: the sine at each elbow, and det A of unit links over r_platform, are compared with
     SINGULAR. NaN where pose or theta is not finite; shape (...).
+
+    >>> singularity_type([0, 0, 0], np.deg2rad([[-136.4, -16.4, 103.6]]))
+    array([0.])
     """
     A, B = jacobians(pose, theta, geometry)
     S_A, L, r_platform, *_ = geometry

@@ -1,17 +1,20 @@
 """Which poses the platform can take."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .. import arcs
-from ..errors import InputError
-from ..reading import real
-from .geometry import RRR, Geometry, base_joints, checked, platform_joints
-from .inverse import spans, squared_lengths
+from .. import arcs, reading
+from .geometry import RRR, Geometry, base_joints, platform_joints
+from .inverse import closes, squared_lengths
 
 
-def reachable(pose: np.ndarray, geometry: Geometry = RRR) -> np.ndarray:
-    """Whether all three legs close at a pose, in some working mode: (..., 3) to (...) of bool; NaN is not."""
-    legs = spans(squared_lengths(checked(pose), geometry), geometry)
+def reachable(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
+    """Whether all three legs close at a pose, in some working mode: (..., 3) to (...) of bool; NaN is not.
+
+    >>> reachable([[0, 0, 0], [300, 0, 0]])
+    array([ True, False])
+    """
+    legs = closes(squared_lengths(pose, geometry), geometry)
     return legs[..., 0] & legs[..., 1] & legs[..., 2]
 
 
@@ -22,10 +25,11 @@ def constant_orientation_workspace(alpha: float, geometry: Geometry = RRR) -> ar
     platform's joint seen from its centre. The workspace is what the three rings have in common; it may be empty.
 
     Raises InputError unless alpha is one finite number. Source: notebook Part2, section 5.
+
+    >>> round(constant_orientation_workspace(0.0).area)  # mm^2
+    64786
     """
-    alpha = real(alpha, "the angle alpha")
-    if alpha.shape != () or not np.isfinite(alpha):
-        raise InputError(f"One finite angle alpha in radians is expected; {alpha!s} was given.")
+    alpha = reading.number(alpha, "angle alpha")
     S_A, L, *_ = geometry
     centres = base_joints(geometry) - platform_joints(np.array([0, 0, alpha]), geometry)
     rings = [arcs.annulus(x, y, abs(S_A - L), S_A + L) for x, y in centres]

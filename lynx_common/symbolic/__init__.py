@@ -4,7 +4,7 @@ Symbols and numbers never share a name: ``theta_2`` and ``L_1`` are symbols, ``q
 ``geometry`` are arrays and records of numbers.
 """
 
-from .door import CHUNK, compiled, numeric, real
+from .door import CHUNK, compiled, numeric
 from .symbols import ANGLES, DESIGN, POSE, ROW, TASK, WRIST, XYZ, P, Q
 from .tidying import tidy
 
@@ -21,6 +21,5 @@ __all__ = [
     "Q",
     "compiled",
     "numeric",
-    "real",
     "tidy",
 ]

@@ -67,7 +67,7 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     if missing := matrix.free_symbols.difference(*vectors):
         names = ", ".join(sorted(map(str, missing)))
         raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
-    angular = tuple(tuple(i for i, symbol in enumerate(vector) if symbol in ANGLES) for vector in vectors)
+    angular = tuple(map(_angular, vectors))
 
     compiled_with = cache(partial(_compiled, entries, vectors))  # hashing the entries takes longer than the work
 
@@ -94,7 +94,8 @@ def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:
             return None
         if len(x) != len(symbols) or not isfinite(sum(x)):
             return None
-        if turning and max([abs(x[i]) for i in turning]) > reading.TWO_TURNS:
+        indices, most = turning
+        if indices and max([abs(x[i]) for i in indices]) > most:
             return None
         sample.append(x)
     return sample
@@ -104,13 +105,14 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable,
     """The values for a batch of any shape, worked through in chunks; ``out`` is their number and their shape."""
     entries, shape = out
     if len(arrays) != len(vectors):
-        wanted = " and ".join(map(_named, vectors)) or "none"
+        wanted = " and ".join(map(reading.named, vectors)) or "none"
         raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
     arrays = [np.array(x.values) if isinstance(x, reading.Record) else x for x in arrays]
-    arrays = [real(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
-    for x, symbols, turning in zip(arrays, vectors, angular, strict=True):
-        if turning:
-            reading.warn_of_degrees(x[..., turning] if len(turning) < len(symbols) else x, _named(symbols))
+    arrays = [reading.batch(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
+    for x, symbols, (indices, most) in zip(arrays, vectors, angular, strict=True):
+        if indices:
+            angles = x[..., indices] if len(indices) < len(symbols) else x
+            reading.warn_of_degrees(angles, reading.named(tuple(symbols[i] for i in indices)), most)
     batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
     size = prod(batch)
     flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
@@ -120,6 +122,12 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable,
         part = slice(start, start + chunk)
         _fill(values[part], function, [x if x.ndim == 1 else x[part] for x in flat])
     return values.reshape(batch + shape)
+
+
+def _angular(symbols: tuple[sp.Symbol, ...]) -> tuple[tuple[int, ...], float]:
+    """Which of the symbols are angles, and from where on an angle is hardly meant in radians."""
+    indices = tuple(i for i, symbol in enumerate(symbols) if symbol in ANGLES)
+    return indices, min((ANGLES[symbols[i]] for i in indices), default=0.0)
 
 
 def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixBase]], Callable[..., np.ndarray]]:
@@ -184,23 +192,8 @@ def _compiled(entries: tuple[sp.Expr, ...], vectors: tuple[tuple[sp.Symbol, ...]
         raise InputError(f"The expression has no NumPy function: {str(fault).partition(chr(10))[0]}.") from None
 
 
-def real(x: np.ndarray, symbols: tuple[sp.Symbol, ...]) -> np.ndarray:
-    """``x`` as float64; InputError where it is not real or its last axis does not match ``symbols``."""
-    x = reading.real(x, _named(symbols))
-    if x.ndim == 0 or x.shape[-1] != len(symbols):
-        raise InputError(
-            f"The last axis must hold the {len(symbols)} values {_named(symbols)}; the shape given is {x.shape}."
-        )
-    return x
-
-
 def _flat(x: np.ndarray, batch: tuple[int, ...], size: int) -> np.ndarray:
     return np.broadcast_to(x, (*batch, x.shape[-1])).reshape(size, x.shape[-1])
-
-
-@cache
-def _named(symbols: tuple[sp.Symbol, ...]) -> str:
-    return f"({', '.join(map(str, symbols))})" if len(symbols) != 1 else str(symbols[0])
 
 
 def _fill(out: np.ndarray, function: Callable, arrays: list[np.ndarray]) -> None:

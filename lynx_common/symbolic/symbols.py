@@ -1,5 +1,7 @@
 """The symbols of the robots: those that several modules or notebooks use, each made here."""
 
+from math import pi
+
 import sympy as sp
 
 # The five joint angles and the four lengths of the Lynxmotion arm; report Tables 1.2 and 1.3.
@@ -12,7 +14,6 @@ TASK = sp.symbols("azimuth r z pitch roll", real=True)
 WRIST = sp.symbols("r_wrist h", real=True)
 
 XYZ = sp.symbols("x y z", real=True)  # a position; its z is that of TASK
-ANGLES = {*Q, TASK[0], TASK[3], TASK[4]}
 
 # One row of a DH table, in general; report eq. (1.1).
 ROW = sp.symbols("a alpha d theta", real=True)
@@ -25,3 +26,6 @@ DESIGN = (
     *sp.symbols("beta_1:4", real=True),
     *sp.symbols("gamma_1:4", real=True),
 )
+
+# Of each angle how much (radians) is hardly meant in radians. Joint angles of a motion run on from turn to turn.
+ANGLES = dict.fromkeys([*Q, TASK[0], TASK[3], TASK[4]], 4 * pi) | {POSE[2]: 2 * pi}

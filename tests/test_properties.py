@@ -256,7 +256,6 @@ def test_twists_and_the_wrenches_that_do_no_work_on_them_are_six_together_in_any
 # Motion.
 
 SCALINGS = [
-    motion.linear,
     motion.cubic,
     motion.quintic,
     motion.from_stretch,
@@ -279,30 +278,6 @@ def test_a_scaling_goes_from_0_to_1_and_never_back(scaling, tau):
     smooth = tau[(np.abs(tau - corners) > h).all(axis=0)]
     before, at, after = (np.array(scaling(smooth + step)) for step in (-h, 0, h))
     np.testing.assert_allclose((after - before)[:2] / (2 * h), at[1:], atol=1e-5)
-
-
-def path(kind: str, start: np.ndarray, end: np.ndarray, bump: np.ndarray) -> motion.Path:
-    paths = {
-        "line": lambda: motion.line(start, end),
-        "sinusoidal": lambda: motion.sinusoidal(start, end, bump),
-        "arc": lambda: motion.arc(start[1:3], 0.1 + abs(bump[1]), (start[3], start[3] + 1 + bump[0]), end[3:5]),
-        "space line": lambda: motion.space_line(start[:3], end[:3] + [0, 0, 2], (start[3], end[3])),
-        "polyline": lambda: motion.polyline([start, end, end + bump + 1]),
-    }
-    return paths[kind]()
-
-
-@pytest.mark.parametrize("kind", ["line", "sinusoidal", "arc", "space line", "polyline"])
-@few
-@given(tasks, tasks, numbers(-0.3, 0.3, 5), st.floats(0.01, 0.99))
-def test_a_path_changes_as_its_derivative_says(kind, start, end, bump, s):
-    assume((start != end).any())
-    assume(abs(s - 0.5) > 0.001)  # a polyline has a corner there
-    along, h = path(kind, start, end, bump), 1e-6
-    change = (along(s + h) - along(s - h)) / (2 * h)
-    # Near the base axis a line in space turns the azimuth as fast as it likes.
-    assume(kind != "space line" or np.abs(along.derivative(s)[0]) < 30)
-    np.testing.assert_allclose(change, along.derivative(s), atol=1e-4 * (1 + np.abs(change).max()))
 
 
 @few

@@ -321,7 +321,7 @@ def test_what_is_not_finite_gives_nan_in_its_own_row_only(bad, rng):
 
 def test_complex_numbers_and_wrong_shapes_are_refused():
     for call in (screws.exp, screws.hat, screws.screw_axis):
-        with pytest.raises(InputError, match=r"must be \(6\); the shape given is \(5,\)"):
+        with pytest.raises(InputError, match=r"must be \(6,\); the shape given is \(5,\)"):
             call(np.ones(5))
         with pytest.raises(InputError, match="complex"):
             call(np.ones(6) + 0j)
@@ -330,7 +330,7 @@ def test_complex_numbers_and_wrong_shapes_are_refused():
             call(np.eye(3))
     with pytest.raises(InputError, match=r"must be \(6, n\)"):
         screws.order(np.ones((5, 6)))
-    with pytest.raises(InputError, match=r"must be \(5\)"):
+    with pytest.raises(InputError, match=r"must be \(5,\)"):
         screws.space_jacobian(joint_screws(arm.LYNX)[0], np.zeros(4))
     with pytest.raises(InputError, match="One system"):
         screws.reciprocal_system(np.ones((2, 6, 3)))

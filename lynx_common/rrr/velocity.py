@@ -38,7 +38,7 @@ def jacobians(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> tu
 
     Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
 
-    >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.4, -16.4, 103.6]))
+    >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.277, -16.277, 103.723]))
     >>> np.diagonal(B).round() + 0.0  # all three legs bent alike
     array([19657., 19657., 19657.])
     """
@@ -54,7 +54,7 @@ def singularity_type(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR
     Lengths are divided out: the sine at each elbow, and det A of unit links over r_platform, are compared with
     SINGULAR. NaN where pose or theta is not finite; shape (...).
 
-    >>> singularity_type([0, 0, 0], np.deg2rad([[-136.4, -16.4, 103.6]]))
+    >>> singularity_type([0, 0, 0], np.deg2rad([[-136.277, -16.277, 103.723]]))
     array([0.])
     """
     A, B = jacobians(pose, theta, geometry)

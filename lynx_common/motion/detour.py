@@ -92,7 +92,7 @@ def _ends(start: ArrayLike, end: ArrayLike, geometry: arm.Geometry) -> list[np.n
     if abs(ends[0][0] - ends[1][0]) > ROOM:
         given = " and ".join(told_apart(*(np.rad2deg(task[0]) for task in ends), decimals=2))
         raise InputError(f"The way stays in one plane of the arm; the azimuths given are {given} deg.")
-    if np.array_equal(*ends):
+    if np.array_equal(ends[0], ends[1]):
         raise InputError("The start and the end of the motion are the same: its length is zero.")
     return ends
 

@@ -95,7 +95,8 @@ def joined(*paths: Path) -> Path:
     """
     if not paths:
         raise InputError("One path or more is needed; none was given.")
-    moved, turns = [], np.zeros(5)
+    moved: list[Path] = []
+    turns = np.zeros(5)
     for number, path in enumerate(paths):
         if moved:
             end, start = moved[-1](1.0), path(0.0)
@@ -106,7 +107,7 @@ def joined(*paths: Path) -> Path:
                 begins, ends = told_apart((start + turns)[worst], end[worst], decimals=6)
                 where = f"with {TASK[worst]} {begins}, where the one before ends with {ends}"
                 raise InputError(f"Path {number} begins {where}.")
-        moved.append(Path(lambda s, path=path, turns=turns: path.point(s) + turns))
+        moved.append(_moved(path, turns))
 
     def point(s: np.ndarray) -> np.ndarray:
         scaled = len(moved) * s
@@ -118,6 +119,10 @@ def joined(*paths: Path) -> Path:
         return task
 
     return Path(point)
+
+
+def _moved(path: Path, by: np.ndarray) -> Path:
+    return Path(lambda s: path.point(s) + by)
 
 
 def share(x: ArrayLike, name: str) -> np.ndarray:

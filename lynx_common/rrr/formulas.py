@@ -71,6 +71,17 @@ def velocity_rows() -> sp.Matrix:
     return sp.Matrix(rows)
 
 
+def normalised() -> sp.Matrix:
+    """What is zero at a singularity, without units, (4, 1), in POSE, THETA and DESIGN: the sine at each elbow
+    (type 1), and det A of distal links of length 1, over r_platform (type 2).
+    """
+    S_A, L, r_platform, *_ = DESIGN
+    rows = velocity_rows()
+    sines = rows[:, 3] / (S_A * L)
+    A = rows[:, :3] * sp.diag(1 / L, 1 / L, 1 / (L * r_platform))
+    return sines.col_join(sp.Matrix([A[0, :].dot(A[1, :].cross(A[2, :]))]))
+
+
 def newton() -> sp.Matrix:
     """(|PP_i - M_i|^2 - L^2) / 2, about L times the miss of each distal link; and the step of Newton's method on
     these, whose derivative is A: two rows, (2, 3), in POSE, THETA and DESIGN.

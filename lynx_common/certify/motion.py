@@ -1,34 +1,32 @@
-"""Bounds that hold between samples: proofs that a quantity stays above a minimum along a motion.
-
-Nothing here knows a robot or an obstacle. The quantity is a function of joint angles, with a known Lipschitz
-constant.
-"""
+"""Proofs along a motion, by a known Lipschitz constant and bisection."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from .errors import InputError
-from .reading import real
+from ..errors import InputError
+from ..reading import real
 
 EPS = np.finfo(float).eps
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What ``along`` found.
+    """What ``along`` or ``over`` found.
 
     verdict : "certified", "refuted" or "undecided".
-    bound : a lower bound of f that is proven all along, whatever the verdict.
-    evaluations : how many values of f were asked for.
-    witness : joint angles, (m,), where f is below the minimum; None unless refuted.
+    bound : a lower bound of the quantity that is proven everywhere, whatever the verdict.
+    evaluations : how many values or bounds of it were asked for.
+    witness : a place, (n,), where it is below the minimum; None unless refuted.
+    boxes : (k, n, 2), the boxes into which ``over`` has cut the one that it was given; with ``along`` none.
     """
 
     verdict: str
     bound: float
     evaluations: int
     witness: np.ndarray | None
+    boxes: np.ndarray = field(default_factory=lambda: np.empty((0, 0, 2)), repr=False)
 
 
 def along(

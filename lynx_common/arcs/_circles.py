@@ -59,8 +59,8 @@ def clear_distance(circles: np.ndarray, points: np.ndarray, rho: np.ndarray) -> 
     return np.minimum(gaps.min(axis=1), rho) / 2
 
 
-def boundary_arcs(circle: np.ndarray, cuts: np.ndarray, side: np.ndarray) -> list[tuple]:
-    """The boundary's arcs on one circle: rows x, y, radius, start, sweep, with the inside on the left.
+def boundary_arcs(circle: np.ndarray, cuts: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """The boundary's arcs on one circle, (n, 5): x, y, radius, start, sweep, with the inside on the left.
 
     ``side`` has an entry for each piece between ``cuts``: 1 where the region is within the circle, -1 where it is
     outside, and 0 where the piece is no boundary. Neighbouring pieces of one side become one arc.
@@ -71,7 +71,7 @@ def boundary_arcs(circle: np.ndarray, cuts: np.ndarray, side: np.ndarray) -> lis
     start, side = cuts[begins], side[begins]
     sweep = np.diff(start, append=start[:1] + 2 * np.pi)
     start = np.where(side > 0, start, start + sweep)  # outside the circle, the inside is on the left clockwise
-    return [(*circle, a, s * sweep_a) for a, s, sweep_a in zip(start, side, sweep, strict=True) if s]
+    return np.column_stack([np.tile(circle, (len(start), 1)), start, side * sweep])[side != 0]
 
 
 def points_on(arcs: np.ndarray, angles: np.ndarray) -> np.ndarray:

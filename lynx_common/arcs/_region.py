@@ -53,7 +53,7 @@ class Region:
 
         This is what the end of a link reaches that can be turned fully about every point of the region.
 
-        >>> float(annulus(0, 0, 0, 2).around(3).area / np.pi)  # a ring, from 1 to 5
+        >>> round(annulus(0, 0, 0, 2).around(3).area / np.pi, 6)  # a ring, from 1 to 5
         24.0
         """
         x, y, rho, _, sweep = self.arcs.T
@@ -78,8 +78,7 @@ class Region:
             return np.empty((0, 5))
         cuts = [cuts_of(circles, i) for i in range(len(circles))]
         sides = self._sides(circles, cuts)
-        arcs = [boundary_arcs(*of_one) for of_one in zip(circles, cuts, sides, strict=True)]
-        return np.reshape(sum(arcs, []), (-1, 5))
+        return np.concatenate([boundary_arcs(*one) for one in zip(circles, cuts, sides, strict=True)])
 
     def _sides(self, circles: np.ndarray, cuts: list[np.ndarray]) -> list[np.ndarray]:
         """On which side of each piece the region lies, circle by circle; as ``boundary_arcs`` asks for it.
@@ -196,9 +195,11 @@ class Region:
 
 
 def annulus(x: float, y: float, inner: float, outer: float) -> Region:
-    """Points whose distance from (x, y) lies between ``inner`` and ``outer``; InputError unless 0 <= inner <= outer.
+    """Points whose distance from (x, y) lies between ``inner`` and ``outer``.
 
-    >>> float(annulus(0, 0, 1, 2).area / np.pi)
+    Raises InputError unless all are finite and 0 <= inner <= outer.
+
+    >>> round(annulus(0, 0, 1, 2).area / np.pi, 6)
     3.0
     """
     centre = finite([x, y], "the centre of an annulus", 2)

@@ -69,16 +69,13 @@ def along(
     >>> along(height, lipschitz=1, q=[[-1], [2]], minimum=0.4).verdict, along(height, 1, [[-1], [2]], 0.6).verdict
     ('certified', 'refuted')
     """
-    q = finite(q, "the samples of a motion", None, None)
-    if not q.size:
-        raise InputError(f"A motion has a sample and a joint at least; one of shape {q.shape} was given.")
     lipschitz, rounding = number(lipschitz, "Lipschitz constant", least=0), number(rounding, "rounding", least=0)
-    minimum = number(minimum, "minimum")
+    minimum, q = number(minimum, "minimum"), _samples(q)
     start, change = (q, 0 * q) if len(q) == 1 else (q[:-1], np.diff(q, axis=0))
     reach = lipschitz * np.linalg.norm(change, axis=1)  # how far f may change along a segment
     slack = rounding + 8 * EPS * lipschitz * np.linalg.norm(q, axis=1).max()
     segment, middle, half = _first_pieces(len(start))
-    verdict, proven, open_bound, evaluations = "certified", np.inf, -np.inf, 0
+    proven, open_bound, evaluations = np.inf, -np.inf, 0
     while len(segment):
         if evaluations + len(segment) > budget:
             return Certificate("undecided", float(min(proven, open_bound)), evaluations, None)
@@ -89,15 +86,18 @@ def along(
         bound = low - change_to_end
         if high.min() < minimum:
             return Certificate("refuted", float(min(proven, bound.min())), evaluations, at[high.argmin()])
-        short = bound < minimum
-        halve = short & (change_to_end > slack)  # below the slack halving does not help
-        if (short & ~halve).any():
-            verdict = "undecided"
+        halve = (bound < minimum) & (change_to_end > slack)  # below the slack halving does not help
         proven = min(proven, bound[~halve].min(initial=np.inf))  # of the pieces that are done with
         open_bound = bound[halve].min(initial=np.inf)  # of those that are left
-        segment, half = np.repeat(segment[halve], 2), np.repeat(half[halve] / 2, 2)
-        middle = np.repeat(middle[halve], 2) + half * np.tile([-1, 1], len(half) // 2)
-    return Certificate(verdict, float(proven), evaluations, None)
+        segment, middle, half = _halves(segment[halve], middle[halve], half[halve])
+    return Certificate("certified" if proven >= minimum else "undecided", float(proven), evaluations, None)
+
+
+def _samples(q: ArrayLike) -> np.ndarray:
+    q = finite(q, "the samples of a motion", None, None)
+    if not q.size:
+        raise InputError(f"A motion has a sample and a joint at least; one of shape {q.shape} was given.")
+    return q
 
 
 def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -108,6 +108,14 @@ def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     each = np.arange(segments)
     segment = np.concatenate([each, each[-1:], each])
     return segment, np.repeat([0, 1, 0.5], [segments, 1, segments]), np.repeat([0, 0.5], [segments + 1, segments])
+
+
+def _halves(
+    segment: np.ndarray, middle: np.ndarray, half: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The first and the second half of each piece, as such pieces."""
+    middles = np.stack([middle - half / 2, middle + half / 2], axis=1)
+    return np.repeat(segment, 2), middles.ravel(), np.repeat(half / 2, 2)
 
 
 def _values(f: Callable[[np.ndarray], np.ndarray], q: np.ndarray, slack: float) -> tuple[np.ndarray, np.ndarray]:

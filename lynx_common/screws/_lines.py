@@ -103,4 +103,4 @@ def _direction(axis: ArrayLike) -> np.ndarray:
 
 def _six(first: np.ndarray, second: np.ndarray) -> np.ndarray:
     """Six-vectors, (..., 6), of their halves, which broadcast; NaN in one half is NaN in both."""
-    return vectors(np.concatenate(np.broadcast_arrays(first, second), axis=-1), "a six-vector", 6)
+    return vectors(np.concatenate(np.broadcast_arrays(first, second), axis=-1), "a six-vector", 6) + 0.0  # no -0

@@ -149,7 +149,8 @@ def _as_float(x: Any, name: str) -> np.ndarray:
 
 
 def _spelled(shape: Sequence[int | None]) -> str:
-    names = ["n" if length is None else str(length) for length in shape]
+    letters = iter("nmk")  # of the axes of any length
+    names = [next(letters) if length is None else str(length) for length in shape]
     return f"({', '.join(names)}{',' * (len(names) == 1)})"
 
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from .. import dh
 from ..symbolic import TASK, WRIST, XYZ, P, Q, tidy
-from .geometry import dh_table
+from ._geometry import dh_table
 
 SIGMA = sp.Symbol("sigma", real=True)  # sign of theta_3
 

@@ -8,7 +8,7 @@ from ..errors import InputError
 from ..reading import real
 from ..symbolic import TASK, WRIST, XYZ, P, compiled
 from . import formulas
-from .geometry import LYNX, Geometry
+from ._geometry import LYNX, Geometry
 
 BRANCHES = (("front", "up"), ("front", "down"), ("back", "up"), ("back", "down"))
 

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import arm, reading
-from ..arm.geometry import AT_LIMIT
-from ..arm.inverse import out_of_reach
+from ..arm import AT_LIMIT, out_of_reach
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.

@@ -10,9 +10,9 @@ from ..arcs import crossings
 from ..errors import NoPoseError, SelfMotionError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .condition import ALPHAS, condition_at, platform_free, self_motion
+from ._condition import ALPHAS, condition_at, platform_free, self_motion
+from ._geometry import RRR, Geometry, elbows, platform_joints
 from .formulas import THETA
-from .geometry import RRR, Geometry, elbows, platform_joints
 
 MODES = 6  # assembly modes, at most
 AT_ONCE = 4096  # configurations worked through at a time

@@ -9,7 +9,7 @@ from .. import reading
 from ..errors import AssemblyError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .geometry import RRR, Geometry
+from ._geometry import RRR, Geometry
 
 # Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
 WORKING_MODES = tuple(product((1, -1), repeat=3))

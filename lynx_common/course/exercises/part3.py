@@ -17,7 +17,7 @@ POSITION_FOR_ALL = (
 # P3.2: four postures, and what their order would be by other measures.
 NEAREST_FIRST = np.array([3, 2, 1, 4])  # smallest singular values 5.08, 4.23, 1.55 and 7.07
 BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4])  # determinants -1534, 366, -633 and 750
-BY_MAGNITUDE = "this is the order of the determinant's magnitude; a small factor may hide in a product."
+BY_MAGNITUDE = np.array([2, 3, 4, 1])
 BY_SHOULDER = np.array([2, 4, 1, 3])  # |r| is 16.32, 4.23, 18.51 and 8.66
 SIGN = (
     "the sign of the determinant is taken for its size: the sign only tells on which side of a singularity "

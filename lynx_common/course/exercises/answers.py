@@ -25,11 +25,11 @@ KINDS = {
     dict: "a dict",
     set | frozenset: "a set, which has no order,",
     bool | np.bool_: "True or False",
-    type(...): "an answer with dots left in it",
+    type(...): "a list with dots in it",
     type(None): "None",
     Iterator: "a generator",
-    sp.MatrixExpr: "a product of matrices that is not multiplied out",
-    sp.Basic: "a thing of SymPy that is neither number nor formula",
+    sp.MatrixExpr: "a SymPy matrix that is not written out",
+    sp.Basic: "an equation, or another object of SymPy that is no formula,",
     type: "a class, or a function without its argument,",
     Callable: "a function",
 }
@@ -68,7 +68,11 @@ class Form:
     def wanted(self) -> str:
         if self.samples:
             return f"{self.shape[0]} formulas in {', '.join(self.samples)} are expected, as a list"
-        return f"{counted(self.shape)} {'are' if self.shape else 'is'} expected"
+        return f"{self._counted(self.shape)} {'are' if self.shape else 'is'} expected"
+
+    def _counted(self, shape: tuple[int, ...]) -> str:
+        what = "formula" if self.samples else "number"
+        return "".join(f"{n} rows of " for n in shape[:-1]) + (f"{shape[-1]} {what}s" if shape else f"one {what}")
 
     def _arranged(self, values: list[np.ndarray], shape: tuple[int, ...]) -> list[np.ndarray]:
         """The values asked for: of a point, also from [x, y, z, 1] and from the pose of a frame."""
@@ -79,7 +83,7 @@ class Form:
             return values[:3]
         if self.shape == (3,) and own == (4, 4) and np.all(_stacked(values[12:]) == [0, 0, 0, 1]):
             return values[3:12:4]
-        raise _Fault(f"{counted(own)} {'were' if own else 'was'} given")
+        raise _Fault(f"{self._counted(own)} {'were' if own else 'was'} given")
 
     def _real(self, values: list[np.ndarray]) -> np.ndarray:
         value = _stacked(values)
@@ -93,16 +97,6 @@ class Form:
 
 class _Fault(Exception):
     """What is wrong with what was given; holds a clause of a sentence."""
-
-
-def counted(shape: tuple[int, ...]) -> str:
-    """A shape in words.
-
-    >>> counted((2, 5)), counted(())
-    ('2 rows of 5 numbers', 'one number')
-    """
-    words = "one number" if prod(shape) == 1 else f"{shape[-1]} numbers"
-    return "".join(f"{n} rows of " for n in shape[:-1]) + words
 
 
 def _laid_out(x: object, level: int = 0) -> tuple[list, tuple[int, ...]]:

@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import warnings
 from collections import Counter
 from fractions import Fraction
 
@@ -133,6 +134,7 @@ WRONG = {
         ([0.35, 0, 0.15], REST),
         ([0.25, 0, -0.15], "but for a sign"),
         ([0, 0.25, 0.15], "not their order"),
+        ([0.25, 0, 0.15, 0.5], "3 numbers are expected; 4 numbers were given"),
     ],
     "A3.2": [
         (np.rad2deg(a3.BACK_UP), "right in degrees"),
@@ -230,7 +232,8 @@ def test_a_misconception_is_named_to_four_digits(name):
 def test_other_wrong_answers_are_told_what_is_wrong(name):
     exercise = CATALOGUE[name]
     patterns = {said for fits, said in exercise.misconceptions if callable(fits)}
-    heard = [exercise.judge(answer) for answer, _ in WRONG[name]]
+    with warnings.catch_warnings(action="error"):
+        heard = [exercise.judge(answer) for answer, _ in WRONG[name]]
     for (answer, words), said in zip(WRONG[name], heard, strict=True):
         assert words in said, answer
         assert said != RIGHT
@@ -418,12 +421,8 @@ JUNK = {
         sp.Integral(sp.exp(x**2), (x, 0, 1)),
         sp.Symbol("q"),
     ],
-    "of them were given": [
-        np.zeros((2000, 2000)),
-        [[0] * 2000] * 2000,
-        sp.SparseMatrix(2000, 2000, {}),
-        range(10**9),
-    ],
+    "4,000,000 of them were given": [np.zeros((2000, 2000)), sp.SparseMatrix(2000, 2000, {})],
+    "2,000 of them were given": [[[0] * 2000] * 2000, range(2000)],
     "different lengths": [[[1], [2, 3]]],
     "masked": [np.ma.masked_array([1.0, 2, 3], [0, 1, 0]), np.ma.masked],
     "None": [[None] * 3, [None] * 5],
@@ -468,12 +467,15 @@ def test_the_doors_answer_with_a_sentence(capsys):
     known = "There is: A1.1, A1.2, A1.3"
     for call, words in [
         (lambda: exercises.check("A1.1"), "A1.1: not attempted yet"),
-        (lambda: exercises.check("a1.1", np.deg2rad([90, 0, 0, 90, 0])), "a1.1: correct."),
+        (lambda: exercises.check("a1.1", np.deg2rad([90, 0, 0, 90, 0])), "A1.1: correct."),
         (lambda: exercises.check("A1.9", 0), f"There is no exercise 'A1.9'. {known}"),
         (lambda: exercises.check("", 0), f"There is no exercise ''. {known}"),
         (lambda: exercises.check(np.zeros((2000, 2000)), "A1.1"), f"with a name of type 'ndarray'. {known}"),
-        (lambda: exercises.hint("A1.1", 3), "A1.1 has hints 1 to 2; beyond them there is exercises.solution."),
-        (lambda: exercises.hint("A1.1", "x"), "A1.1 has hints 1 to 2"),
+        (
+            lambda: exercises.hint("A1.1", 3),
+            'A1.1 has hints 1 to 2; beyond them there is exercises.solution("A1.1").',
+        ),
+        (lambda: exercises.hint("A1.1", np.zeros(3)), "A1.1 has hints 1 to 2"),
         (lambda: exercises.hint("B"), f"There is no exercise 'B'. {known}"),
         (lambda: print(exercises.solution(7).data), f"with a name of type 'int'. {known}"),
     ]:

@@ -8,6 +8,7 @@ None of them raises, whatever it is given, so that a notebook with open exercise
 """
 
 import functools
+from collections.abc import Callable
 from importlib import import_module
 
 from IPython.display import Markdown
@@ -20,20 +21,20 @@ MODULES = ("a1", "a2", "a3", "b1", "b2", "b3", "part2", "part3")
 
 def check(name: str, answer: object = ...) -> None:
     """Print whether ``answer`` is right for exercise ``name``, or the first thing that is wrong with it."""
-    _print(name, lambda exercise: f": {exercise.judge(answer)}")
+    _say(name, lambda key, exercise: f"{key}: {exercise.judge(answer)}")
 
 
 def hint(name: str, number: int = 1) -> None:
     """Print hint ``number`` (from 1) of exercise ``name``."""
 
-    def said(exercise: Exercise) -> str:
+    def said(key: str, exercise: Exercise) -> str:
         count = len(exercise.hints)
         if not isinstance(number, int) or not 1 <= number <= count:
-            return f" has hints 1 to {count}; beyond them there is exercises.solution."
-        more = f' (More: exercises.hint("{name}", {number + 1}))' if number < count else ""
-        return f", hint {number} of {count}: {exercise.hints[number - 1]}{more}"
+            return f'{key} has hints 1 to {count}; beyond them there is exercises.solution("{key}").'
+        more = f' (More: exercises.hint("{key}", {number + 1}))' if number < count else ""
+        return f"{key}, hint {number} of {count}: {exercise.hints[number - 1]}{more}"
 
-    _print(name, said)
+    _say(name, said)
 
 
 def solution(name: str) -> Markdown:
@@ -46,15 +47,15 @@ def solution(name: str) -> Markdown:
 
 
 def find(name: str) -> Exercise:
-    """The exercise of this name, whatever its case; raises UnknownNameError."""
+    """The exercise of this name; small letters will do. Raises UnknownNameError."""
     if not isinstance(name, str):
         raise UnknownNameError("exercise with a name of type", type(name).__name__, list(catalogue()))
     # What is right and wrong is computed on import, which takes time; so a notebook imports its own only.
-    notebook = name.strip().lower().partition(".")[0].replace("p", "part")
+    notebook = _key(name).partition(".")[0].lower().replace("p", "part")
     known = _of(notebook) if notebook in MODULES else {}
-    if name.strip().upper() not in known:
+    if _key(name) not in known:
         raise UnknownNameError("exercise", name[:20], list(catalogue()))
-    return known[name.strip().upper()]
+    return known[_key(name)]
 
 
 @functools.cache
@@ -67,8 +68,14 @@ def _of(module: str) -> dict[str, Exercise]:
     return import_module(f".{module}", __package__).EXERCISES
 
 
-def _print(name: str, said) -> None:
+def _key(name: str) -> str:
+    return name.strip().upper()
+
+
+def _say(name: str, said: Callable[[str, Exercise], str]) -> None:
     try:
-        print(f"{name}{said(find(name))}")
+        exercise = find(name)
     except UnknownNameError as fault:
         print(fault)
+    else:
+        print(said(_key(name), exercise))

@@ -59,6 +59,9 @@ class Exercise:
     period : by how much every entry, or each, may differ without a difference; 0 for not at all
     parts : what is judged by itself, relative to its own size, and told by itself: index by words such as "x is"
     choices : the only numbers that may be entries; told is only how many of them are wrong
+
+    >>> Exercise(Form(()), 0.5, ((2, "this is its inverse."),), (), "", "").judge(2)
+    'not yet: this is its inverse.'
     """
 
     form: Form

@@ -125,7 +125,13 @@ WRONG = {
         ([Q[2], 0, 0], "holds the symbol theta_3"),
         ([ELBOW, 0, 0], "not real and finite for some values"),
     ],
-    "A2.1": [(200, "right in millimetres"), (0.3, REST), (0.25, REST), ([0.2, 0.2], "one number is expected")],
+    "A2.1": [
+        (200, "right in millimetres"),
+        (0.346, "mind the sign of cos"),
+        (0.3, REST),
+        (0.25, REST),
+        ([0.2, 0.2], "one number is expected"),
+    ],
     "A2.2": [(a2.REGION.volume * 1000, "right in litres"), (0.15, REST), (0.17, REST)],
     "A2.3": [(a2.SCARA.area * 150, "right in litres"), (0.2, REST), (0.1, REST)],
     "A3.1": [

@@ -72,7 +72,7 @@ def formulas_in_any_form(of):
 ALSO_RIGHT = {
     "A1.1": [(pi / 2, 0, 0, pi / 2, 1.234), [[-pi / 2, pi, 0, pi / 2, 0]], [1.571, 0, 2 * pi, 1.571, 0]],
     "A1.3": [SCARA, [sp.re(HAND), sp.im(HAND), d_1 - d_3], sp.expand_trig(tidy(SCARA[:3, 3]))],
-    "A3.1": [[0.25, 0, 0.15, 1], sp.Matrix(dh.trans(0.25, 0, 0.15))],
+    "A3.1": [[*value("A3.1"), 1], sp.Matrix(dh.trans(*value("A3.1")))],
     "A3.2": [a3.BACK_UP + [0, 0, 2 * pi, 0, 1.2]],
     "A3.3": [
         [
@@ -87,7 +87,7 @@ ALSO_RIGHT = {
         ],
     ],
     "B1.2": [b1.ROLL + pi, sp.atan2(1, 2.5) - 2 * sp.pi / 3],
-    "B2.1": [[0, 0.1, sp.Rational(1, 10) + sp.sqrt(3) / 10], [0, 0.1, 0.2732, 1]],
+    "B2.1": [[0, arm.LYNX.L_1 * sp.cos(sp.pi / 3), arm.LYNX.d_1 + arm.LYNX.L_1 * sp.sin(sp.pi / 3), 1]],
     "B2.2": [[False, True, False, True, True, True], np.eye(6)[[1, 3, 4, 5]].sum(axis=0) > 0],
     "B3.3": [2.064],
     "P2.1": [165.2, sp.Matrix([[165.24]])],

@@ -29,6 +29,8 @@ theta_1, theta_2 = Q[:2]
 d_1, L_1, L_2, _ = P
 x, y, z, d_3 = sp.symbols("x y z d_3")  # without the assumptions of the course's symbols: known by their names
 C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
+CORNER = L_1 + L_2 * sp.exp(sp.I * sp.acos(C))  # of the triangle, along the first link
+SINE, COSINE = (CORNER - sp.conjugate(CORNER)) / (2 * sp.I), (CORNER + sp.conjugate(CORNER)) / 2
 ELBOW = L_1 * sp.exp(sp.I * theta_1)
 HAND = ELBOW + L_2 * sp.exp(sp.I * (theta_1 + theta_2))
 SCARA = dh.chain([dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
@@ -85,6 +87,7 @@ ALSO_RIGHT = {
             -sp.I * sp.log(C + sp.I * sp.sqrt(1 - C**2)),
             d_1 - z,
         ],
+        [sp.atan2(y, x) - sp.atan2(SINE, COSINE), sp.pi / 2 - sp.asin(C), d_1 - z],
     ],
     "B1.2": [b1.ROLL + pi, sp.atan2(1, 2.5) - 2 * sp.pi / 3],
     "B2.1": [[0, arm.LYNX.L_1 * sp.cos(sp.pi / 3), arm.LYNX.d_1 + arm.LYNX.L_1 * sp.sin(sp.pi / 3), 1]],
@@ -123,7 +126,7 @@ WRONG = {
         ([L_1, 0, 0], REST),
         ([L_1, L_2], "as a list; 2 formulas were given"),
         ([Q[2], 0, 0], "holds the symbol theta_3"),
-        ([ELBOW, 0, 0], "not real and finite for some values"),
+        ([ELBOW, 0, 0], "not a real, finite number for some values"),
     ],
     "A2.1": [
         (200, "right in millimetres"),
@@ -150,7 +153,7 @@ WRONG = {
         (a3.BACK_UP + [pi, 0, 0, 0, 0], REST),
     ],
     "A3.3": [
-        ([a3.Q_1, sp.acos(3 + C), d_1 - z], "not real and finite for some values"),
+        ([a3.Q_1, sp.acos(3 + C), d_1 - z], "not a real, finite number for some values"),
         ([a3.Q_1, 0, z], "theta_1 is right, theta_2 is not right, d_3 is not right"),
         ([a3.Q_1 * 180 / sp.pi, a3.Q_2 * 180 / sp.pi, d_1 - z], "right in degrees"),
         ([Q[0], 0, 0], "holds the symbol theta_1"),
@@ -414,7 +417,7 @@ def doubled(formula, times=60):
 f = sp.Function("f")
 JUNK = {
     "text": ["x", "1", "sqrt(2)", b"1", ["1", "2", "3"], np.array(["1"] * 5)],
-    "not real and finite": [np.nan, np.inf, 1j, [1j, 1, 2, 3, 4], 10**400, sp.zoo, sp.nan, [sp.oo] * 5],
+    "not a real, finite number": [np.nan, np.inf, 1j, [1j, 1, 2, 3, 4], 10**400, sp.zoo, sp.nan, [sp.oo] * 5],
     "a dict": [{}, {"x": 1}],
     "a set": [{1, 2}],
     "a generator": [(i for i in range(3)), iter([1, 2, 3])],

@@ -95,7 +95,7 @@ class Form:
             value = np.broadcast_to(value, (len(next(iter(self.samples.values()))), *self.shape))
         if not (np.isfinite(value).all() and (np.abs(value.imag) <= 1e-6 * (1 + np.abs(value.real))).all()):
             where = " for some values of its symbols" if self.samples else ""
-            raise _Fault(f"an entry of what was given is not real and finite{where}")
+            raise _Fault(f"an entry is not a real, finite number{where}")
         return value.real.reshape(value.shape if self.samples else self.shape)
 
 
@@ -189,6 +189,7 @@ FUNCTIONS = {
     sp.sin: np.sin,
     sp.cos: np.cos,
     sp.tan: np.tan,
+    sp.cot: lambda z: 1 / np.tan(z),
     sp.asin: np.arcsin,
     sp.acos: np.arccos,
     sp.atan: np.arctan,

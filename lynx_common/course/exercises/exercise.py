@@ -160,4 +160,5 @@ class Exercise:
                 return said
         if not np.isin(x, self.choices).all():
             return f"each of the numbers is expected to be one of {', '.join(map(str, self.choices))}."
-        return f"{(x != self._right[0]).sum()} of the {x.size} numbers are wrong."
+        wrong = (x != self._right[0]).sum()
+        return f"{wrong} of the {x.size} numbers {'is' if wrong == 1 else 'are'} wrong."

@@ -30,7 +30,8 @@ d_1, L_1, L_2, _ = P
 x, y, z, d_3 = sp.symbols("x y z d_3")  # without the assumptions of the course's symbols: known by their names
 C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
 CORNER = L_1 + L_2 * sp.exp(sp.I * sp.acos(C))  # of the triangle, along the first link
-SINE, COSINE = (CORNER - sp.conjugate(CORNER)) / (2 * sp.I), (CORNER + sp.conjugate(CORNER)) / 2
+MIRRORED = (x**2 + y**2) / CORNER  # its conjugate, to rounding
+SINE, COSINE = (CORNER - MIRRORED) / (2 * sp.I), (CORNER + MIRRORED) / 2
 ELBOW = L_1 * sp.exp(sp.I * theta_1)
 HAND = ELBOW + L_2 * sp.exp(sp.I * (theta_1 + theta_2))
 SCARA = dh.chain([dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
@@ -254,6 +255,16 @@ def test_other_wrong_answers_are_told_what_is_wrong(name):
 def test_three_digits_are_nearly_right_whatever_else_they_resemble(name):
     rounded = significant(value(name), 3)
     assert CATALOGUE[name].judge(rounded) in (RIGHT, f"not yet: {NEARLY}")
+
+
+@pytest.mark.parametrize("name", NUMERIC)
+def test_a_thousandth_off_in_any_entry_is_not_right(name):
+    key = value(name)
+    for at in np.ndindex(key.shape if key.shape != (5,) else 4):  # of five joint angles, any roll is right
+        for off in (-1.1e-3, 1.1e-3):
+            answer = key.copy()
+            answer[at] += off * np.abs(key).max()
+            assert CATALOGUE[name].judge(answer) != RIGHT, (at, off)
 
 
 @pytest.mark.parametrize("name", [*NUMERIC, *OF_FORMULAS])

@@ -208,6 +208,7 @@ def test_each_square_stands_where_its_centre_is(views):
     np.testing.assert_allclose(y, [-0.2, 0.3])
     np.testing.assert_array_equal(image.get_array()[0], values[:, 0])  # the lowest row
     assert [image.origin, image.get_clim()] == ["lower", (0, 9)]
+    drawing.squares(views[1], values > 2, [0.1, -0.2], 0.5)  # truth values, too
     few, many = image.cmap([0.0, 1.0])[:, :3].sum(axis=1)
     assert many < few  # darker
     views[1].get_figure().draw_without_rendering()

@@ -1,6 +1,7 @@
 """A module of lynx_common imports only from lower floors, and none grows too large."""
 
 import ast
+import inspect
 import subprocess
 import sys
 import tomllib
@@ -9,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import lynx_common
+from lynx_common import arcs, drawing, planner, screws
 
 PACKAGE = Path(lynx_common.__file__).parent
 FLOORS = {
@@ -52,6 +54,13 @@ def test_a_module_and_its_functions_are_small():
         assert len(source.splitlines()) < MODULE_LINES, path
         functions = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.FunctionDef)]
         assert [f.name for f in functions if lines_of_code(f, source) > FUNCTION_LINES] == [], path
+
+
+@pytest.mark.parametrize("room", [arcs, drawing, planner, screws], ids=lambda room: room.__name__)
+def test_completion_offers_what_a_room_holds_and_none_of_its_files(room):
+    offered = [name for name in dir(room) if not name.startswith("_")]
+    assert offered
+    assert [name for name in offered if inspect.ismodule(getattr(room, name))] == []
 
 
 def test_the_arm_needs_no_picture_no_widget_and_no_course():

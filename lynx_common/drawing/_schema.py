@@ -98,7 +98,13 @@ def link_schema(ax: Axes) -> Axes:
     circle = {"boxstyle": "circle", "facecolor": "white", "edgecolor": COLOURS["link"]}
     for step, place, offset in marked:
         ax.annotate(
-            str(step), place @ VIEW, xytext=offset, textcoords="offset points", ha="center", va="center", bbox=circle
+            str(step),
+            place @ VIEW,
+            xytext=offset,
+            textcoords="offset points",
+            ha="center",
+            va="center",
+            bbox=circle,
         )
     return _bare(ax)
 

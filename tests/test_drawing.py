@@ -145,6 +145,21 @@ def test_the_schema_names_every_joint_angle_length_and_axis():
     plt.close(fig)
 
 
+def test_the_link_is_named_and_its_steps_are_marked_where_they_are_taken():
+    fig, ax = plt.subplots()
+    drawing.link_schema(ax)
+    at = {text.get_text(): np.array(getattr(text, "xy", text.get_position())) for text in ax.texts}
+    assert {"$d$", "$a$", r"$\theta$", r"$\alpha$", "1", "2", "3", "4"} <= at.keys()
+    steps = [np.array(text.xy) for text in ax.texts if text.get_text() == "1"]
+    foot, tip = np.transpose(ax.lines[0].get_data())[1:]
+    axes = [np.transpose(line.get_data()) for line in ax.lines if line.get_linestyle() == "--"]
+    for axis in axes:  # one mark on each joint axis
+        assert min(np.abs(axis - step).max(axis=1).min() for step in steps) < 1e-12
+    np.testing.assert_allclose(at["3"], tip)
+    assert abs(np.linalg.det([at["2"] - foot, tip - foot])) < 1e-12  # on the common normal
+    plt.close(fig)
+
+
 def test_the_triangle_is_named_and_its_arcs_are_the_joints_own_angles():
     fig, ax = plt.subplots()
     drawing.triangle_schema(ax)

@@ -80,8 +80,8 @@ EXERCISES = {
         explanation="Half of the postures are lost, and a quarter of the section's area. "
         "But $\\theta_1 + 180°$ puts the mirror image beside it, and both together are 94 % of the shell. "
         "Turning the base makes up for most of the elbow.",
-        code="limits = np.deg2rad([[0, 360], [-90, 90], [0, 90], [0, 360]])\n"
-        "region = workspace.section(limits)\n"
+        code="one_way = np.deg2rad([[0, 360], [-90, 90], [0, 90], [0, 360]])\n"
+        "region = workspace.section(one_way)\n"
         "answer_2 = (region | region.mirror()).volume",
     ),
     "A2.3": Exercise(
@@ -108,8 +108,8 @@ EXERCISES = {
         ),
         explanation="Lay our arm on its side: shoulder and elbow become the two joints of the SCARA arm, and its "
         "section the area seen from above. The slide adds height, so the volume is area times 0.15 m.",
-        code="limits = np.deg2rad([[0, 360], [-130, 130], [-145, 145], [0, 360]])\n"
-        "region = workspace.section(limits, geometry=arm.Geometry(0, 0.3, 0.25, 0))\n"
+        code="of_scara = np.deg2rad([[0, 360], [-130, 130], [-145, 145], [0, 360]])\n"
+        "region = workspace.section(of_scara, geometry=arm.Geometry(0, 0.3, 0.25, 0))\n"
         "answer_3 = region.area * 0.15",
     ),
 }

@@ -65,7 +65,7 @@ def inverse_kinematics(
     q : array, shape (..., 4, 5)
         Joint angles in (-pi, pi], one row per entry of ``BRANCHES``; NaN where the links do not reach.
 
-    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits
+    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 4. Joint limits
     are not applied (``within_limits``).
 
     >>> inverse_kinematics([0.3, 0, 0.3], pitch=0.0).shape

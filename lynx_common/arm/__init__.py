@@ -13,7 +13,7 @@ everywhere, over the base axis too. (position, pitch, roll) is a reader's chart 
 from ..symbolic import P, Q
 from . import formulas
 from .forward import forward_kinematics, jacobian, joint_positions, link_frames, task_coordinates
-from .geometry import JOINT_LIMITS, LYNX, Geometry, dh_table, into_limits, within_limits
+from .geometry import JOINT_LIMITS, LYNX, SERVO_LIMITS, Geometry, dh_table, into_limits, within_limits
 from .inverse import BRANCHES, inverse_kinematics, joint_angles
 from .target import solve, task_of_pose
 
@@ -24,6 +24,7 @@ __all__ = [
     "Geometry",
     "P",
     "Q",
+    "SERVO_LIMITS",
     "dh_table",
     "formulas",
     "forward_kinematics",

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from lynx_common import drawing, rrr
-from lynx_common.drawing.rrr import STYLES
+from lynx_common.drawing._rrr import STYLES
 
 OTHER = rrr.Geometry(90.0, 140.0, 60.0, 200.0, base_angles=(0.1, 2.0, 4.5), platform_angles=(0.3, 2.2, 4.0))
 POSE, MODE = np.array([20.0, 30.0, 0.3]), 5

@@ -13,6 +13,6 @@ everywhere, over the base axis too. (position, pitch, roll) is a reader's chart 
 from ..symbolic import P, Q
 from . import formulas
 from ._forward import forward_kinematics, jacobian, joint_positions, link_frames, task_coordinates
-from ._geometry import AT_LIMIT, JOINT_LIMITS, LYNX, Geometry, dh_table, into_limits, within_limits
+from ._geometry import AT_LIMIT, JOINT_LIMITS, LYNX, SERVO_LIMITS, Geometry, dh_table, into_limits, within_limits
 from ._inverse import BRANCHES, inverse_kinematics, joint_angles, out_of_reach
 from ._target import solve, task_of_pose

@@ -15,6 +15,7 @@ from .arm import (
     move,
     target,
 )
+from .card import card
 from .region import cloud, region_2d, region_path, squares
 from .rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
 from .scene import ball_3d, determinant_map, screw_3d, tree_2d
@@ -28,6 +29,7 @@ __all__ = [
     "arm_top_view",
     "arm_views",
     "ball_3d",
+    "card",
     "cloud",
     "determinant_map",
     "dh_schema",

@@ -4,7 +4,7 @@ Each but InputError takes the facts, keeps them as attributes and writes the sen
 the sentences tell angles in degrees.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from difflib import get_close_matches
 from math import degrees
 
@@ -129,7 +129,7 @@ class EndpointError(LynxError):
 class NotFreeError(LynxError):
     """A posture, ``q`` in radians, that a planner was told is not free."""
 
-    def __init__(self, q: Sequence[float]):
+    def __init__(self, q: Iterable[float]):
         self.q = q
         super().__init__(f"The posture ({in_degrees(q)}) deg is not free.")
 

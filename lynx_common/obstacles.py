@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import arm
-from .errors import InputError
-from .reading import real
+from .reading import finite, number, real
 from .symbolic import CHUNK
 
 
@@ -25,16 +24,15 @@ class Sphere:
     radius: float
 
     def __post_init__(self) -> None:
-        centre, radius = real(self.centre, "the centre of a sphere"), real(self.radius, "its radius")
-        if centre.shape != (3,) or not np.isfinite(centre).all():
-            raise InputError(f"The centre of a sphere is three finite numbers; {self.centre!r} was given.")
-        if radius.shape != () or not 0 <= radius < np.inf:
-            raise InputError(f"The radius of a sphere is finite and not negative; {self.radius!r} was given.")
-        object.__setattr__(self, "centre", tuple(map(float, centre)))
-        object.__setattr__(self, "radius", float(radius))
+        object.__setattr__(self, "centre", tuple(finite(self.centre, "the centre of a sphere", 3).tolist()))
+        object.__setattr__(self, "radius", number(self.radius, "radius of a sphere", least=0))
 
-    def distance(self, points: np.ndarray) -> np.ndarray:
-        """Distance of points from the surface, negative inside: (..., 3) to (...)."""
+    def distance(self, points: ArrayLike) -> np.ndarray:
+        """Distance of points from the surface, negative inside: (..., 3) to (...).
+
+        >>> Sphere((0, 0, 0.5), radius=0.2).distance([0, 0, 1]).item()
+        0.3
+        """
         return np.linalg.norm(real(points, "points", 3) - self.centre, axis=-1) - self.radius
 
 
@@ -55,9 +53,12 @@ def clearance(
     -------
     distance : array, shape (...)
         Metres; NaN where q is not finite. Raises InputError where the link radius is not finite or negative.
+
+    >>> upright = [0, np.pi / 2, 0, np.pi / 2, 0]
+    >>> clearance(upright, Sphere((0.3, 0, 0.3), 0.1)).round(6).item()
+    0.2
     """
-    if not 0 <= real(link_radius, "the radius of the links") < np.inf:
-        raise InputError(f"The radius of the links is finite and not negative; {link_radius} was given.")
+    link_radius = number(link_radius, "radius of the links", least=0)
     q = real(q, "joint angles", 5)
     points = arm.joint_positions(q, geometry).reshape(-1, 5, 3)
     nearest = np.empty(len(points))
@@ -79,6 +80,9 @@ def lipschitz_constant(geometry: arm.Geometry = arm.LYNX) -> float:
             <= max(l_1^2, l_2^2 + l_3^2 + l_4^2) |q_dot|^2    (Cauchy and Schwarz),
 
     and since l_1 = l_2 the second is the larger.
+
+    >>> round(lipschitz_constant(), 4)
+    0.5916
     """
     _, L_1, L_2, L_3 = geometry
     return float(np.linalg.norm([L_1 + L_2 + L_3, L_2 + L_3, L_3]))

@@ -96,8 +96,9 @@ def finite(x: ArrayLike, name: str, *shape: int | None) -> np.ndarray:
         raise InputError(f"Finite numbers of shape {_spelled(shape)} are expected for {name}; {given} was given.")
     if not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0, 0]) if array.ndim > 1 else None
-        where, given = ("", array) if row is None else (f" in row {row}", array[row])
-        raise InputError(f"Finite numbers are expected for {name}; {shortened(given)} was given{where}.")
+        given = shortened(array if row is None else array[row])
+        where = "" if row is None else f" in row {row}"
+        raise InputError(f"Finite numbers are expected for {name}; {given} was given{where}.")
     return array
 
 
@@ -148,7 +149,8 @@ def _as_float(x: Any, name: str) -> np.ndarray:
 
 
 def _spelled(shape: Sequence[int | None]) -> str:
-    names = ["n" if length is None else str(length) for length in shape]
+    letters = iter("nmk")  # of the axes of any length
+    names = [next(letters) if length is None else str(length) for length in shape]
     return f"({', '.join(names)}{',' * (len(names) == 1)})"
 
 

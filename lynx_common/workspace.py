@@ -5,23 +5,23 @@ theta_5 moves neither wrist nor gripper. A joint whose two limits are equal stan
 plane of the arm: signed r along its azimuth, and z, in metres.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import prod
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from . import arm
+from . import arm, reading
 from .arcs import Region
 from .errors import InputError, told_apart
-from .reading import limits as read_limits
-from .reading import real
 from .symbolic import CHUNK
 
 POINTS = {"wrist": 3, "gripper": 4}  # rows of ``arm.joint_positions``
 
-# Points this near to each other are one, in metres (or for an arm longer than 1 m, as a share of its length).
-# So there are fewer PLACES than this in a row, and two coordinates fit into one integer.
-SAME, PLACES = 1e-9, 2**32
+# Points this near to each other are one, in metres (or for an arm longer than 1 m, as a share of its length); a
+# step may miss the end of a range by this share of itself.
+TOLERANCE = 1e-9
 
 LARGEST_GRID = 10**9  # bytes, one a voxel
 LARGEST_SWEEP = 10**8  # postures
@@ -57,44 +57,66 @@ class Occupancy:
         return np.ix_(*(at + self.edge * np.arange(n) for at, n in zip(self.first, self.grid.shape, strict=True)))
 
 
-def sweep(limits: np.ndarray, step: float, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Sweep:
+def sweep(limits: ArrayLike, step: float, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Sweep:
     """All points that the wrist or the gripper takes as joints 1 to 4 go through their limits in equal steps.
 
     No more is computed than differs: theta_1 only turns the picture, and theta_4 does not move the wrist.
-    Points are distinct to 1e-9 m. Raises InputError where limits are reversed, or where ``step`` (radians) is not
-    positive, larger than a joint's range, or so small that more than 100 million postures would be computed.
+    Points are distinct to 1e-9 m, in the order of r and then z. Raises InputError where limits are reversed, or
+    where ``step`` (radians) is not above 0, larger than a joint's range, or so small that more than 100 million
+    postures would be computed.
+
+    >>> found = sweep(np.deg2rad([[0, 0], [0, 90], [0, 0], [0, 90]]), step=np.pi / 4)
+    >>> found.combinations, found.r.round(4), found.z.round(4)  # three places of the wrist, on a quarter circle
+    (9, array([0.    , 0.2828, 0.4   ]), array([0.5   , 0.3828, 0.1   ]))
     """
-    limits, row, unit = read_limits(limits, 4), _row(point), SAME * max(1, sum(geometry))
-    counts = [_count(joint, *pair, step) for joint, pair in enumerate(limits, start=1)]
+    limits, row, step = reading.limits(limits, 4), _row(point), reading.number(step, "step", above=0)
+    counts = [_count(joint, lower, upper, step) for joint, (lower, upper) in enumerate(limits, start=1)]
     needed = max(counts[0], prod(map(float, counts[1:3] if point == "wrist" else counts[1:])))
     if needed > LARGEST_SWEEP:
         most = f"{LARGEST_SWEEP:.0e} are allowed"
         raise InputError(f"With a step of {step:g} rad {needed:.2g} postures would be computed; {most}.")
-    azimuth, *values = (low + step * np.arange(count) for (low, _), count in zip(limits, counts, strict=True))
-    combinations = prod(counts)
+    azimuth, *angles = (lower + step * np.arange(count) for (lower, _), count in zip(limits, counts, strict=True))
     if point == "wrist":
-        values[2] = values[2][:1]
-    at_once, found = max(1, 16 * CHUNK // prod(map(len, values[1:]))), []
-    for start in range(0, len(values[0]), at_once):
-        postures = np.meshgrid(0, values[0][start : start + at_once], *values[1:], 0, indexing="ij")
-        r, _, z = arm.joint_positions(np.stack(postures, axis=-1).reshape(-1, 5), geometry)[:, row].T
-        found.append(np.unique(_rounded(r / unit) * PLACES + _rounded(z / unit)))
-    distinct = np.unique(np.concatenate(found))
-    r = (distinct + PLACES // 2) // PLACES
-    return Sweep(unit * r, unit * (distinct - r * PLACES), combinations, azimuth)
+        angles[2] = angles[2][:1]
+    unit = TOLERANCE * max(1, sum(geometry))
+    found = []
+    for postures in _combinations(angles):
+        r, _, z = arm.joint_positions(postures, geometry)[:, row].T
+        found.append(_distinct(np.rint([r / unit, z / unit])))
+    r, z = unit * _distinct(np.concatenate(found, axis=1)) + 0.0  # no -0
+    return Sweep(r, z, prod(counts), azimuth)
+
+
+def _combinations(angles: list[np.ndarray]) -> Iterator[np.ndarray]:
+    """All postures (n, 5) of theta_2 to theta_4, the others being 0; some values of theta_2 at a time."""
+    at_once = max(1, 16 * CHUNK // prod(map(len, angles[1:])))
+    for start in range(0, len(angles[0]), at_once):
+        grid = np.meshgrid(0, angles[0][start : start + at_once], *angles[1:], 0, indexing="ij")
+        yield np.stack(grid, axis=-1).reshape(-1, 5)
+
+
+def _distinct(points: np.ndarray) -> np.ndarray:
+    """Columns (r, z) of points (2, n), each once, in the order of r and then z."""
+    r, z = points
+    points = points[:, np.lexsort([z, r])]
+    differs = (np.diff(points) != 0).any(axis=0)  # from the one before it
+    return points[:, np.append(True, differs)]
 
 
 def occupancy(points: Sweep, edge: float) -> Occupancy:
     """Which cubes of the given edge (metres) hold a point of a sweep, turned to each of its azimuths.
 
-    Raises InputError where the edge is not positive, or so small that the grid would take more than 1 GB.
+    Raises InputError where the edge is not above 0, or so small that the grid would take more than 1 GB.
+
+    >>> four = sweep(np.deg2rad([[0, 270], [0, 0], [0, 0], [0, 0]]), step=np.pi / 2)  # one point, turned
+    >>> int(occupancy(four, edge=0.1).grid.sum())
+    4
     """
-    if real(edge, "the edge of a voxel").shape or not 0 < edge < np.inf:
-        raise InputError(f"The edge of a voxel is a positive length in metres; {edge} was given.")
-    x, low, high = np.abs(points.r).max(), points.z.min(), points.z.max()
-    if edge < 1e-6 * max(x, high - low):
+    edge = reading.number(edge, "edge of a cube", above=0)
+    farthest, low, high = np.abs(points.r).max(), points.z.min(), points.z.max()
+    if edge < 1e-6 * max(farthest, high - low):
         raise InputError(f"An edge of {edge} m is less than a millionth of the workspace.")
-    half, tall = round(x / edge), round((high - low) / edge) + 1
+    half, tall = round(farthest / edge), round((high - low) / edge) + 1
     wide = 2 * half + 1
     if (size := wide * wide * tall) > LARGEST_GRID:
         raise InputError(f"With an edge of {edge} m the grid would take {size / 1e9:.1f} GB; 1 GB is allowed.")
@@ -106,21 +128,25 @@ def occupancy(points: Sweep, edge: float) -> Occupancy:
     return Occupancy(grid, np.array([-half * edge, -half * edge, low]), edge)
 
 
-def section(limits: np.ndarray, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Region:
+def section(limits: ArrayLike, point: str = "wrist", *, geometry: arm.Geometry = arm.LYNX) -> Region:
     """The exact region of (signed r, z) that wrist or gripper reaches with theta_2, theta_3 within their limits.
 
     theta_1 does not matter to it, nor theta_4 to the wrist. The gripper's section is known where theta_2 and
     theta_3 can move and theta_4 turns fully; InputError otherwise.
 
     Source: notebook A2, sections 4 and 7.
+
+    >>> ring = section(np.deg2rad([[0, 0], [0, 360], [0, 180], [0, 0]]))  # all that the two links reach
+    >>> round(ring.area / np.pi, 6)
+    0.16
     """
-    limits, _ = read_limits(limits, 4), _row(point)
+    limits, _ = reading.limits(limits, 4), _row(point)
     region = Region(_circles(limits, geometry), lambda points: _wrist_reaches(points, limits, geometry))
     if point == "wrist":
         return region
     if not np.ptp(limits[1:3], axis=1).all():
         raise InputError("The gripper's section is known where joints 2 and 3 can move; one of them stands still.")
-    if np.ptp(limits[3]) < 2 * np.pi - SAME:
+    if np.ptp(limits[3]) < 2 * np.pi - TOLERANCE:
         raise InputError("The gripper's section is known for a theta_4 that turns fully; its limits are less.")
     return region.around(geometry.L_3)
 
@@ -141,7 +167,7 @@ def _wrist_reaches(points: np.ndarray, limits: np.ndarray, geometry: arm.Geometr
     q = arm.joint_angles(task, arm.Geometry(d_1, L_1, L_2, 0))  # a gripper of no length is at the wrist
     within = np.pi * np.array([[-2, 2]] * 5)
     within[1:3] = limits[1:3]
-    return arm.within_limits(q, within).any(axis=-1)
+    return np.any(arm.within_limits(q, within), axis=-1)
 
 
 def _rounded(x: np.ndarray) -> np.ndarray:
@@ -156,9 +182,7 @@ def _row(point: str) -> int:
 
 def _count(joint: int, lower: float, upper: float, step: float) -> int:
     """How many angles there are from the lower limit up to the upper one; the last may fall short of it."""
-    if real(step, "the step").shape or not 0 < step < np.inf:
-        raise InputError(f"The step is a positive angle in radians; {step} was given.")
-    if 0 < upper - lower < step * (1 - SAME):
+    if 0 < upper - lower < step * (1 - TOLERANCE):
         given, most = told_apart(step, upper - lower)
         raise InputError(f"A step of {given} rad is larger than the range of joint {joint}, {most} rad.")
-    return int((upper - lower) / step + SAME) + 1
+    return int((upper - lower) / step + TOLERANCE) + 1

@@ -146,13 +146,30 @@ def test_distances_to_the_boundary():
         np.testing.assert_allclose(far, gaps.max(axis=1), atol=1e-4)
 
 
-@pytest.mark.parametrize("circles", [[(0, 0)], [(0, 0, -1)], [(0, 0, np.nan)], [(0, np.inf, 1)]])
-def test_bad_circles_are_refused(circles):
-    with pytest.raises(InputError, match="rows x, y, radius"):
+@pytest.mark.parametrize(
+    ("circles", "sentence"),
+    [
+        ([(0, 0)], r"shape \(n, 3\) are expected for circles, rows of x, y and radius"),
+        ([(0, 0, -1)], "radius is not negative; -1 was given"),
+        ([(0, 0, np.nan)], r"Finite .* circles, rows of x, y and radius; \[0.0, 0.0, nan\]"),
+        ([(0, np.inf, 1)], "Finite .* circles"),
+    ],
+)
+def test_bad_circles_are_refused(circles, sentence):
+    with pytest.raises(InputError, match=sentence):
         Region(circles, lambda points: points[..., 0] > 0)
 
 
-@pytest.mark.parametrize("radii", [(0.5, 0.2), (-0.1, 0.2), (np.nan, 1)])
-def test_bad_annuli_are_refused(radii):
-    with pytest.raises(InputError, match="0 <= inner <= outer"):
-        annulus(0, 0, *radii)
+@pytest.mark.parametrize(
+    ("ring", "sentence"),
+    [
+        ((0, 0, 0.5, 0.2), "outer radius .* not below 0.5; 0.2 was given"),
+        ((0, 0, -0.1, 0.2), "inner radius .* not below 0; -0.1 was given"),
+        ((0, 0, np.nan, 1), "inner radius .* finite"),
+        ((0, 0, 0, np.inf), "outer radius .* finite"),
+        ((0, np.nan, 0, 1), "centre of an annulus"),
+    ],
+)
+def test_bad_annuli_are_refused(ring, sentence):
+    with pytest.raises(InputError, match=sentence):
+        annulus(*ring)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.path import Path
 
-from lynx_common import arm, drawing, obstacles, planner, screws
+from lynx_common import arm, drawing, obstacles, screws
 from lynx_common.arcs import annulus
 
 Q = np.array([1.0, 0.8, -0.5, 1.2, 0.4])
@@ -253,7 +253,7 @@ def test_the_line_of_a_screw_is_drawn_about_the_point_asked_for(views):
 
 def test_a_tree_is_drawn_edge_by_edge_in_degrees(views):
     q = np.deg2rad([[0, 0, 5], [10, 0, 6], [10, 20, 7]])
-    line = drawing.tree_2d(views[1], planner.Tree(q, np.array([-1, 0, 0]), np.zeros(3)), (0, 2), color="red")
+    line = drawing.tree_2d(views[1], SimpleNamespace(q=q, parent=np.array([-1, 0, 0])), (0, 2), color="red")
     nan = np.nan
     np.testing.assert_allclose(line.get_data(), [[10, 0, nan, 10, 0, nan], [6, 5, nan, 7, 5, nan]])
     assert line.get_color() == "red"

@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -11,17 +12,21 @@ import lynx_common
 
 PACKAGE = Path(lynx_common.__file__).parent
 FLOORS = {
-    0: ["errors", "reading", "symbolic", "dh", "screws", "arcs"],
-    1: ["arm", "rrr"],
-    2: ["workspace", "motion", "obstacles", "planner", "certify"],
-    3: ["drawing", "course.pictures"],
-    4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
-    5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
-    6: ["course.lab"],
+    0: ["errors"],
+    1: ["reading"],
+    2: ["symbolic", "dh", "screws", "arcs", "planner"],
+    3: ["arm", "rrr", "certify"],
+    4: ["workspace", "motion", "obstacles"],
+    5: ["drawing", "course.pictures"],
+    6: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
+    7: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
+    8: ["course.lab"],
 }
 FLOOR = {module: floor for floor, modules in FLOORS.items() for module in modules}
 # Where the floor alone does not say it: what a module may import, and nothing else.
-ONLY = {module: {"errors", "reading"} for module in FLOORS[0]} | {
+ONLY = {
+    "certify": {"symbolic", "reading", "errors"},  # it knows no robot and no obstacle
+    "planner": {"reading", "errors"},
     "course.report": {"symbolic", "reading", "errors"},  # nothing can compute from an answer
     "course": set(),
     "lynx_common": set(),
@@ -124,3 +129,26 @@ def lines_of_code(function: ast.FunctionDef, source: str) -> int:
         lines[docstring.lineno - 1 : docstring.end_lineno] = [""] * (docstring.end_lineno - docstring.lineno + 1)
     own = map(str.strip, lines[function.lineno - 1 : function.end_lineno])
     return sum(bool(line) and not line.startswith("#") for line in own)
+
+
+NAMES = {"IPython": "ipython", "PIL": "pillow", "mpl_toolkits": "matplotlib", "zmq": "pyzmq"}
+TOOLS = {"course.execute", "course.kernel", "course.lab"}
+
+
+def test_what_is_imported_is_what_is_declared():
+    project = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text("utf-8"))["project"]
+    runtime, tools = set(project["dependencies"]), set(project["optional-dependencies"]["tools"])
+    found = {True: set(), False: set()}
+    for path in SOURCES:
+        found[floor_name(f"lynx_common.{dotted(path)}") in TOOLS] |= third_parties(path.read_text("utf-8"))
+    assert found[False] == runtime
+    assert found[True] - runtime == tools - {"jupyter"}  # which is what the others come with
+
+
+def third_parties(source: str) -> set[str]:
+    """The packages, by the names under which they are installed, that a source imports."""
+    nodes = list(ast.walk(ast.parse(source)))
+    names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    names |= {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom) and not node.level}
+    roots = {name.split(".")[0] for name in names} - sys.stdlib_module_names - {"", "lynx_common"}
+    return {NAMES.get(root, root.replace("_", "-")) for root in roots}

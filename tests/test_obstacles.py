@@ -274,13 +274,20 @@ def test_single_samples_and_pieces_of_no_length(samples):
 @pytest.mark.parametrize(
     ("f", "lipschitz", "q", "minimum", "message"),
     [
-        (np.sum, 1, np.zeros(5), 0, r"shape \(5,\)"),
+        (np.sum, 1, np.zeros(5), 0, r"shape \(n, m\) are expected for the samples of a motion"),
         (np.sum, 1, np.zeros((0, 5)), 0, r"shape \(0, 5\)"),
-        (np.sum, 1, np.array([[0, 1], [np.nan, 0]]), 0, "Finite joint angles"),
-        (np.sum, 1, np.zeros((2, 5)) * 1j, 0, "Real numbers are expected for joint angles"),
+        (np.sum, 1, np.zeros((2, 0)), 0, r"shape \(2, 0\)"),
+        (
+            np.sum,
+            1,
+            np.array([[0, 1], [np.nan, 0]]),
+            0,
+            r"Finite numbers are expected for the samples of a motion; \[nan, 0.0\] was given in row 1",
+        ),
+        (np.sum, 1, np.zeros((2, 5)) * 1j, 0, "Real numbers are expected for the samples of a motion"),
         (lambda q: q[:, 0] * 1j, 1, np.zeros((2, 5)), 0, "Real numbers are expected for the quantity"),
-        (np.sum, 1, np.zeros((2, 5)), 1j, "Real numbers are expected for Lipschitz constant, minimum"),
-        (np.sum, -1, np.zeros((2, 5)), 0, "-1, 0 and 1e-12 were given"),
+        (np.sum, 1, np.zeros((2, 5)), 1j, "Real numbers are expected for the minimum"),
+        (np.sum, -1, np.zeros((2, 5)), 0, "Lipschitz constant is one finite number, not below 0; -1 was given"),
         (np.sum, np.nan, np.zeros((2, 5)), 0, "Lipschitz constant"),
         (np.sum, 1, np.zeros((2, 5)), np.nan, "minimum"),
         (lambda q: np.log(q[:, 0] - 1), 1, np.array([[0.0], [1.5]]), 0, r"quantity is nan at q = \[0.0\]"),
@@ -293,6 +300,7 @@ def test_what_cannot_be_proven_about_is_refused(f, lipschitz, q, minimum, messag
         certify.along(f, lipschitz, q, minimum)
 
 
-def test_one_value_a_sample_is_expected():
-    with pytest.raises(ValueError, match="reshape"):
-        certify.along(lambda q: 1.0, 1.0, np.zeros((2, 5)))
+@pytest.mark.parametrize("f", [lambda q: 1.0, lambda q: np.ones((len(q), 1))])
+def test_one_value_a_posture_is_expected(f):
+    with pytest.raises(InputError, match=r"one number a posture, shape \(3,\); its shape is \("):
+        certify.along(f, 1.0, np.zeros((2, 5)))

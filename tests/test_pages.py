@@ -13,8 +13,7 @@ from lynx_common import arm, dh, rrr
 from lynx_common.course.explorers import arm_page, reach_page, rrr_page
 from lynx_common.course.script import Line, Slider, View, Words, javascript
 from lynx_common.course.script import page as page_of
-from lynx_common.drawing import COLOURS
-from lynx_common.drawing.arm import gripper
+from lynx_common.drawing import COLOURS, gripper
 from lynx_common.errors import InputError
 from lynx_common.symbolic import TASK, WRIST, P, Q, numeric, tidy
 

@@ -7,7 +7,9 @@ import pytest
 
 from lynx_common import planner
 from lynx_common.errors import EndpointError, InputError, JointLimitError, NoPathError, NotFreeError
-from lynx_common.planner import edges, search, tree
+from lynx_common.planner import Tree
+from lynx_common.planner import _paths as paths
+from lynx_common.planner import _search as search
 
 SQUARE = np.array([[-1.0, 1.0], [-1.0, 1.0]])
 LEFT, RIGHT = np.array([-0.8, 0.0]), np.array([0.8, 0.0])
@@ -160,10 +162,14 @@ def test_the_step_bounds_how_far_the_tree_reaches_at_first():
     assert min(steps) > 0.05
 
 
+def grow(tree, free, q, step):
+    search._grow(tree, lambda a, b: paths.lines_free(free, a, b, RESOLUTION), q, step)
+
+
 def planner_first_step(seed, step):
-    grown = tree.Growing(LEFT, RIGHT, 4)
+    grown = Tree(LEFT, RIGHT, 4)
     drawn = search._draw(grown, SQUARE, np.random.default_rng(seed))
-    search._grow(grown, everywhere, drawn, step, RESOLUTION)
+    grow(grown, everywhere, drawn, step)
     new = grown.q[2] - LEFT
     away = drawn - LEFT
     assert new @ away == pytest.approx(np.linalg.norm(new) * np.linalg.norm(away))
@@ -208,7 +214,7 @@ def test_no_posture_of_the_tree_is_better_reached_through_its_near_ones_than_it_
 
 
 def grown_at_random(rng, n=300, m=3):
-    grown = tree.Growing(rng.uniform(-1, 1, m), rng.uniform(-1, 1, m), n)
+    grown = Tree(rng.uniform(-1, 1, m), rng.uniform(-1, 1, m), n)
     for _ in range(n - 2):
         grown.add(rng.uniform(-1, 1, m), 0, 1.0)
     return grown
@@ -225,12 +231,12 @@ def test_the_near_ones_are_the_nearest_that_are_attached(rng):
             exact[1] = np.inf  # the goal is not attached
             assert len(near) == int(np.ceil(np.e * (1 + 1 / m) * np.log(300)))
             np.testing.assert_allclose(np.sort(exact)[: len(near)], np.sort(distance))
-    few = tree.Growing(np.zeros(2), np.ones(2), 5)
+    few = Tree(np.zeros(2), np.ones(2), 5)
     assert few.near(np.ones(2))[0].tolist() == [0]
 
 
 def test_what_is_led_another_way_takes_all_that_follows_it_along():
-    grown = tree.Growing(np.zeros(2), np.ones(2), 6)
+    grown = Tree(np.zeros(2), np.ones(2), 6)
     a = grown.add(np.array([0.0, 1]), 0, 5.0)
     b = grown.add(np.array([0.0, 2]), a, 1.0)
     c = grown.add(np.array([0.0, 3]), b, 2.0)
@@ -243,7 +249,7 @@ def test_what_is_led_another_way_takes_all_that_follows_it_along():
     grown.attach(1, c, 1.0)
     assert grown.cost[1] == 4.375
     assert grown.children[0] == [d]
-    assert grown.path().tolist() == [[0, 0], [1, 0], [0, 1], [0, 2], [0, 3], [1, 1]]
+    assert grown.to_goal().tolist() == [[0, 0], [1, 0], [0, 1], [0, 2], [0, 3], [1, 1]]
 
 
 # Where it looks
@@ -256,7 +262,7 @@ def test_once_there_is_a_path_only_what_may_lie_on_a_better_one_is_drawn(rng):
         ([0.3, 0.2, -0.3], [-0.2, -0.3, 0.1]),
         ([0, 0, 0.3], [0, 0, -0.3]),
     ):
-        grown, limits = tree.Growing(np.array(start), np.array(goal), 3), np.tile([-1.0, 1.0], (3, 1))
+        grown, limits = Tree(np.array(start), np.array(goal), 3), np.tile([-1.0, 1.0], (3, 1))
         grown.cost[1] = best = 0.9
         drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
         through = sum(np.linalg.norm(drawn - end, axis=1) for end in grown.q[:2])
@@ -274,7 +280,7 @@ def test_once_there_is_a_path_only_what_may_lie_on_a_better_one_is_drawn(rng):
 
 def test_what_is_drawn_is_within_limits_where_these_hold_hardly_any_of_the_ellipsoid(rng):
     limits = np.array([[-1.0, 1.0], [-1e-3, 1e-3]])
-    grown = tree.Growing(np.array([-0.8, 0]), np.array([0.8, 0]), 3)
+    grown = Tree(np.array([-0.8, 0]), np.array([0.8, 0]), 3)
     grown.cost[1] = 3.0
     drawn = np.array([search._draw(grown, limits, rng) for _ in range(300)])
     assert (np.abs(drawn) <= limits[:, 1]).all()
@@ -283,7 +289,7 @@ def test_what_is_drawn_is_within_limits_where_these_hold_hardly_any_of_the_ellip
 
 def test_until_there_is_a_path_anything_within_limits_is_drawn_and_the_goal_now_and_then(rng):
     limits = np.array([[-3.0, 1.0], [2.0, 2.5]])
-    grown = tree.Growing(np.array([0.0, 2.2]), np.array([-2.0, 2.4]), 3)
+    grown = Tree(np.array([0.0, 2.2]), np.array([-2.0, 2.4]), 3)
     drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
     goals = (drawn == grown.q[1]).all(axis=1)
     assert 0.03 < goals.mean() < 0.1
@@ -296,9 +302,9 @@ def test_until_there_is_a_path_anything_within_limits_is_drawn_and_the_goal_now_
 @pytest.mark.parametrize(("height", "added"), [(0.59, 1), (0.61, 0)])
 def test_only_what_may_be_on_a_better_path_is_added(height, added):
     """The best path has length 2, start and goal are 1.6 apart: halfway, 0.6 aside is as long."""
-    grown = tree.Growing(LEFT, RIGHT, 4)
+    grown = Tree(LEFT, RIGHT, 4)
     grown.attach(1, 0, 2.0)
-    search._grow(grown, everywhere, np.array([0, height]), 1.0, RESOLUTION)
+    grow(grown, everywhere, np.array([0, height]), 1.0)
     assert grown.size == 2 + added
     assert (grown.cost[1] < 2) == added
 
@@ -307,11 +313,11 @@ def test_only_what_may_be_on_a_better_path_is_added(height, added):
 @pytest.mark.parametrize("level", [0.0, 0.1, 0.2])
 def test_the_parent_is_the_best_from_which_the_line_is_free(order, level):
     """From the start the travel is least, then through 0.1, then 0.2; but only level lines are free."""
-    grown = tree.Growing(np.zeros(2), np.array([5.0, 5]), 5)
+    grown = Tree(np.zeros(2), np.array([5.0, 5]), 5)
     for y in order:
         grown.add(np.array([0.0, y]), 0, y)
     corridor = lambda q: (q[:, 0] == 0) | (q[:, 0] > 0.3) | (np.abs(q[:, 1] - level) < 0.04)  # noqa: E731
-    search._grow(grown, corridor, np.array([0.4, level]), 1.0, RESOLUTION)
+    grow(grown, corridor, np.array([0.4, level]), 1.0)
     assert grown.q[grown.parent[4]].tolist() == [0, level]
     assert grown.cost[4] == pytest.approx(0.4 + level)
 
@@ -338,7 +344,7 @@ def test_lines_are_checked_at_their_ends_and_no_farther_apart_than_the_resolutio
     b[:3] = a[:3]  # of no length
     b[3] = a[3] + [0.1, 0, 0]  # exactly two pieces, or three by rounding
     seen = []
-    edges.edges_free(lambda q: (seen.append(q), everywhere(q))[1], a, b, RESOLUTION)
+    paths.lines_free(lambda q: (seen.append(q), everywhere(q))[1], a, b, RESOLUTION)
     (q,) = seen
     for first, last in zip(a, b, strict=True):
         n = max(1, int(np.ceil(np.linalg.norm(last - first) / RESOLUTION)))
@@ -351,12 +357,12 @@ def test_lines_are_checked_at_their_ends_and_no_farther_apart_than_the_resolutio
 def test_one_posture_that_is_not_free_spoils_its_line_and_no_other():
     a, b = np.zeros((3, 2)), np.array([[1.0, 0], [0, 1.0], [-1.0, 0]])
     blocked = lambda q: ~((np.abs(q[:, 0] - 0.5) < 0.026) & (q[:, 1] == 0))  # noqa: E731
-    assert edges.edges_free(blocked, a, b, RESOLUTION).tolist() == [False, True, True]
+    assert paths.lines_free(blocked, a, b, RESOLUTION).tolist() == [False, True, True]
     for end in (0.0, 1.0):
         at_end = lambda q, end=end: q[:, 1] != end  # noqa: E731
         expected = [False, False, False] if end == 0 else [True, False, True]
-        assert edges.edges_free(at_end, a, b, RESOLUTION).tolist() == expected
-    assert edges.edges_free(lambda q: 1 / 0, a[:0], b[:0], RESOLUTION).tolist() == []  # nothing to ask
+        assert paths.lines_free(at_end, a, b, RESOLUTION).tolist() == expected
+    assert paths.lines_free(lambda q: 1 / 0, a[:0], b[:0], RESOLUTION).tolist() == []  # nothing to ask
 
 
 def test_a_finer_resolution_finds_a_thin_wall():
@@ -464,23 +470,23 @@ def test_where_no_path_is_found_it_says_how_far_it_came():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"start": [0.0, np.nan]}, "start must be finite real numbers"),
-        ({"goal": [0.0, np.inf]}, "goal must be finite real numbers"),
+        ({"start": [0.0, np.nan]}, "Finite numbers are expected for the start"),
+        ({"goal": [0.0, np.inf]}, "Finite numbers are expected for the goal"),
         ({"start": [0.0, 1j]}, "the start; complex"),
-        ({"start": [[0.0, 0.0]]}, r"start must be finite real numbers, \(m,\)"),
+        ({"start": [[0.0, 0.0]]}, r"Finite numbers of shape \(2,\) are expected for the start"),
         ({"goal": "up"}, "Real numbers are expected for the goal; 'up' was given"),
-        ({"start": [0.0]}, "start must have one angle a joint, 2; 1 were given"),
-        ({"goal": [0.0, 0, 0]}, "goal must have one angle a joint, 2; 3 were given"),
-        ({"limits": [-1, 1]}, r"limits must be finite real numbers, \(m, 2\)"),
-        ({"limits": np.zeros((0, 2))}, "limits must be"),
-        ({"limits": [[-1, np.nan], [-1, 1]]}, "limits must be"),
-        ({"limits": [[-1, 1, 2], [-1, 1, 2]]}, "Limits are pairs"),
-        ({"limits": [[-1, 1], [1, -1]]}, "Limits are pairs"),
-        ({"limits": [[-1, 1], [0, 0]]}, "Limits are pairs"),
-        ({"iterations": 0}, "number of iterations is a whole one from 1 to 10000000; 0 was given"),
+        ({"start": [0.0]}, r"Finite numbers of shape \(2,\) are expected for the start; \[0.0\] was given"),
+        ({"goal": [0.0, 0, 0]}, r"Finite numbers of shape \(2,\) are expected for the goal"),
+        ({"limits": [-1, 1]}, r"Finite numbers of shape \(n, 2\) are expected for limits"),
+        ({"limits": np.zeros((0, 2))}, "lower limit must be below"),
+        ({"limits": [[-1, np.nan], [-1, 1]]}, "Finite numbers are expected for limits"),
+        ({"limits": [[-1, 1, 2], [-1, 1, 2]]}, r"of shape \(n, 2\) are expected for limits"),
+        ({"limits": [[-1, 1], [1, -1]]}, "lower limit must be below its upper one"),
+        ({"limits": [[-1, 1], [0, 0]]}, "lower limit must be below its upper one"),
+        ({"iterations": 0}, "number of iterations is a whole number from 1 to 10000000; 0 was given"),
         ({"iterations": 1e3}, "number of iterations"),
         ({"iterations": True}, "number of iterations"),
-        ({"step": 0}, "The step is a positive length in joint space; 0 was given"),
+        ({"step": 0}, "The step is one finite number, above 0; 0 was given"),
         ({"step": np.nan}, "The step is"),
         ({"step": 1j}, "the step; complex"),
         ({"resolution": -0.1}, "The resolution is"),
@@ -495,7 +501,7 @@ def test_where_no_path_is_found_it_says_how_far_it_came():
         ({"free": lambda q: np.ones((len(q), 1), bool)}, "of shape"),
     ],
 )
-def test_what_makes_no_problem_is_refused(change, message):
+def test_input_that_is_not_as_asked_is_refused(change, message):
     problem = {"free": everywhere, "limits": SQUARE, "start": LEFT, "goal": RIGHT}
     with pytest.raises(InputError, match=message):
         planner.plan(**problem | change)
@@ -504,10 +510,10 @@ def test_what_makes_no_problem_is_refused(change, message):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"path": [0.0, 1.0]}, "path must be"),
+        ({"path": [0.0, 1.0]}, r"of shape \(n, m\) are expected for a path"),
         ({"path": [[0.0, 1.0]]}, "two corners or more; 1 were given"),
-        ({"path": [[0.0, 1.0], [0, np.nan]]}, "path must be"),
-        ({"path": [[0.0, 1.0], [0, 1j]]}, "the path; complex"),
+        ({"path": [[0.0, 1.0], [0, np.nan]]}, "Finite numbers are expected for a path"),
+        ({"path": [[0.0, 1.0], [0, 1j]]}, "a path; complex"),
         ({"tries": 0}, "number of tries"),
         ({"tries": 2.5}, "number of tries"),
         ({"resolution": 0}, "The resolution is"),

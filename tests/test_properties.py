@@ -188,13 +188,11 @@ systems = st.lists(st.lists(st.integers(-2, 2), min_size=6, max_size=6), min_siz
 
 
 @few
-@given(motions)
-def test_a_motion_is_the_exponential_of_its_logarithm(T):
-    twist = screws.log(T)
-    assert np.linalg.norm(twist[3:]) <= np.pi + 1e-12
-    np.testing.assert_allclose(screws.exp(twist), T, atol=1e-11)
+@given(sixes)
+def test_half_a_motion_twice_is_the_motion_and_the_opposite_twist_undoes_it(twist):
+    T = screws.exp(twist)
     np.testing.assert_allclose(screws.exp(twist / 2) @ screws.exp(twist / 2), T, atol=1e-11)
-    np.testing.assert_allclose(screws.exp(-twist), screws.inverse(T), atol=1e-10)
+    np.testing.assert_allclose(screws.exp(-twist) @ T, np.eye(4), atol=1e-10)
 
 
 @few
@@ -202,9 +200,8 @@ def test_a_motion_is_the_exponential_of_its_logarithm(T):
 def test_a_change_of_frame_moves_screws_and_keeps_the_power(S, T, twist, wrench):
     """And two changes are one: their matrices multiply as the motions do."""
     moved = screws.adjoint(T) @ twist
-    np.testing.assert_allclose(screws.hat(moved), T @ screws.hat(twist) @ screws.inverse(T), atol=1e-10)
-    np.testing.assert_allclose(screws.exp(moved), T @ screws.exp(twist) @ screws.inverse(T), atol=1e-9)
-    there = screws.adjoint(screws.inverse(T)).T @ wrench
+    np.testing.assert_allclose(screws.exp(moved), T @ screws.exp(twist) @ np.linalg.inv(T), atol=1e-9)
+    there = screws.adjoint(np.linalg.inv(T)).T @ wrench
     power = screws.reciprocal_product(twist, wrench)
     assert screws.reciprocal_product(moved, there) == pytest.approx(power, abs=1e-9)
     np.testing.assert_allclose(screws.adjoint(S @ T), screws.adjoint(S) @ screws.adjoint(T), atol=1e-10)
@@ -217,8 +214,11 @@ def test_a_twist_is_its_line_pitch_and_magnitude(twist):
     line = screws.screw_axis(twist)
     assert np.linalg.norm(line.axis) == pytest.approx(1)
     assert abs(line.axis @ line.point) <= 1e-9 * (1 + np.linalg.norm(line.point))
-    again = line.magnitude * screws.screw(line.axis, line.point, line.pitch)
-    np.testing.assert_allclose(again, twist, atol=1e-9)
+    slides = np.isinf(line.pitch)
+    assert slides == (np.linalg.norm(twist[3:]) <= 1e-12 * np.linalg.norm(twist[:3]))
+    again = screws.prismatic(line.axis) * (1 if slides else line.pitch)
+    again = again if slides else again + screws.revolute(line.axis, line.point)
+    np.testing.assert_allclose(line.magnitude * again, twist, atol=1e-9)
 
 
 @few
@@ -226,7 +226,7 @@ def test_a_twist_is_its_line_pitch_and_magnitude(twist):
 def test_the_power_of_a_force_is_that_on_the_point_it_acts_on(twist, direction, point):
     assume(np.linalg.norm(direction) > 0.1)
     axis = direction / np.linalg.norm(direction)
-    velocity = (screws.hat(twist) @ np.append(point, 1))[:3]
+    velocity = twist[:3] + np.cross(twist[3:], point)
     power = screws.reciprocal_product(twist, screws.force(axis, point))
     assert power == pytest.approx(velocity @ axis, abs=1e-9)
 
@@ -238,8 +238,10 @@ def test_screws_and_link_frames_give_the_same_arm(q, q_dot, geometry):
     joints = screws.revolute(frames[:5, :3, 2], frames[:5, :3, 3]).T
     pose = arm.forward_kinematics(q, geometry)
     np.testing.assert_allclose(screws.product_of_exponentials(joints, frames[5], q), pose, atol=1e-11)
-    velocity = screws.hat(screws.space_jacobian(joints, q) @ q_dot) @ np.append(pose[:3, 3], 1)
-    np.testing.assert_allclose(velocity[:3], (arm.jacobian(q, geometry) @ q_dot)[:3], atol=1e-10)
+    v, omega = np.split(screws.space_jacobian(joints, q) @ q_dot, 2)
+    np.testing.assert_allclose(
+        v + np.cross(omega, pose[:3, 3]), (arm.jacobian(q, geometry) @ q_dot)[:3], atol=1e-10
+    )
 
 
 @few
@@ -256,7 +258,6 @@ def test_twists_and_the_wrenches_that_do_no_work_on_them_are_six_together_in_any
 # Motion.
 
 SCALINGS = [
-    motion.linear,
     motion.cubic,
     motion.quintic,
     motion.from_stretch,
@@ -279,30 +280,6 @@ def test_a_scaling_goes_from_0_to_1_and_never_back(scaling, tau):
     smooth = tau[(np.abs(tau - corners) > h).all(axis=0)]
     before, at, after = (np.array(scaling(smooth + step)) for step in (-h, 0, h))
     np.testing.assert_allclose((after - before)[:2] / (2 * h), at[1:], atol=1e-5)
-
-
-def path(kind: str, start: np.ndarray, end: np.ndarray, bump: np.ndarray) -> motion.Path:
-    paths = {
-        "line": lambda: motion.line(start, end),
-        "sinusoidal": lambda: motion.sinusoidal(start, end, bump),
-        "arc": lambda: motion.arc(start[1:3], 0.1 + abs(bump[1]), (start[3], start[3] + 1 + bump[0]), end[3:5]),
-        "space line": lambda: motion.space_line(start[:3], end[:3] + [0, 0, 2], (start[3], end[3])),
-        "polyline": lambda: motion.polyline([start, end, end + bump + 1]),
-    }
-    return paths[kind]()
-
-
-@pytest.mark.parametrize("kind", ["line", "sinusoidal", "arc", "space line", "polyline"])
-@few
-@given(tasks, tasks, numbers(-0.3, 0.3, 5), st.floats(0.01, 0.99))
-def test_a_path_changes_as_its_derivative_says(kind, start, end, bump, s):
-    assume((start != end).any())
-    assume(abs(s - 0.5) > 0.001)  # a polyline has a corner there
-    along, h = path(kind, start, end, bump), 1e-6
-    change = (along(s + h) - along(s - h)) / (2 * h)
-    # Near the base axis a line in space turns the azimuth as fast as it likes.
-    assume(kind != "space line" or np.abs(along.derivative(s)[0]) < 30)
-    np.testing.assert_allclose(change, along.derivative(s), atol=1e-4 * (1 + np.abs(change).max()))
 
 
 @few

@@ -268,7 +268,7 @@ TOO_MUCH = {
     "tiny step": (lambda: workspace.sweep(WIDE, 1e-300), "postures would be computed"),
     "voxels": (lambda: workspace.occupancy(workspace.sweep(WIDE, 0.5), 1e-300), "less than a millionth"),
     "boundary": (lambda: RING.boundary(1e-9), r"1\.3e\+10 points; 1e\+07 are allowed"),
-    "no step": (lambda: RING.boundary(0), "positive angle"),
+    "no step": (lambda: RING.boundary(0), "above 0; 0 was given"),
 }
 
 

@@ -130,6 +130,13 @@ def test_every_numbered_item_of_the_report_is_there():
     assert {key for key in report.LEDGER if not key.startswith("claim")} == keys
 
 
+def test_claims_are_numbered_without_a_gap():
+    numbered = [(key.split(".")[0], int(key.split(".")[1])) for key in report.LEDGER if key.startswith("claim")]
+    for section in {section for section, _ in numbered}:
+        numbers = sorted(number for where, number in numbered if where == section)
+        assert numbers == [*range(1, len(numbers) + 1)], section
+
+
 def test_each_item_is_checked_by_an_executed_cell_of_its_notebook():
     for key, item in report.LEDGER.items():
         cells = [cell for cell in code_cells(item.notebook) if f'report.check("{key}"' in cell.source]
@@ -213,6 +220,19 @@ def test_a_conditional_item_passes_only_where_the_condition_is_needed_and_enough
     for derived in (x, x + y + 1):
         with pytest.raises(LedgerError):
             report.check("eq. 9.9", derived)
+
+
+def test_a_claim_under_a_condition_passes_only_where_it_is_needed_and_enough(monkeypatch):
+    item = Item("claim A9.9", printed=True, **HOLDS | {"verdict": "holds, if y = 0", "because": "at y = 1 not"})
+    monkeypatch.setitem(report.LEDGER, item.key, item)
+    report.check("claim A9.9", (False, np.bool_(True)))
+    for derived in (True, False, (True, True), (False, False), (False, True, True)):
+        with pytest.raises(LedgerError, match="it is "):
+            report.check("claim A9.9", derived)
+    for kind, derived in {"holds": (False, True), "wrong: not so": (False, True)}.items():
+        monkeypatch.setitem(report.LEDGER, item.key, replace(item, verdict=kind))
+        with pytest.raises(LedgerError, match="it is False, and under a condition True"):
+            report.check("claim A9.9", derived)
 
 
 @pytest.mark.parametrize(

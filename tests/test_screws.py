@@ -20,6 +20,19 @@ def unit(rng, *shape):
     return vector / np.linalg.norm(vector, axis=-1, keepdims=True)
 
 
+def hat(twist):
+    """The matrix of a twist, (..., 6) to (..., 4, 4): it maps points (x, y, z, 1) to their velocities."""
+    matrix = np.zeros((*twist.shape[:-1], 4, 4))
+    matrix[..., :3, :3] = np.cross(np.eye(3), twist[..., None, 3:])
+    matrix[..., :3, 3] = twist[..., :3]
+    return matrix
+
+
+def helical(axis, point, pitch):
+    """The unit twist about a line that also advances along it."""
+    return screws.revolute(axis, point) + np.asarray(pitch)[..., None] * screws.prismatic(axis)
+
+
 def series(A):
     """The exponential of a matrix by its power series: slow, and without any thought of screws."""
     total, term = np.eye(4), np.eye(4)
@@ -46,19 +59,19 @@ def at(point):
 
 @given(sixes)
 def test_exp_is_the_power_series_of_hat(twist):
-    np.testing.assert_allclose(screws.exp(twist), series(screws.hat(twist)), atol=1e-11, rtol=1e-11)
+    np.testing.assert_allclose(screws.exp(twist), series(hat(twist)), atol=1e-11, rtol=1e-11)
 
 
 @pytest.mark.parametrize("angle", ANGLES)
 def test_exp_keeps_all_digits_at_small_angles(angle, rng):
     """Where the quotients are 0/0: against the power series, to a few units of the last place."""
     twist = np.concatenate([rng.normal(size=3), unit(rng) * angle])
-    np.testing.assert_allclose(screws.exp(twist), series(screws.hat(twist)), atol=4e-15)
+    np.testing.assert_allclose(screws.exp(twist), series(hat(twist)), atol=4e-15)
 
 
 def test_hat_makes_the_velocities_of_points(rng):
     twist, point = rng.normal(size=(4, 6)), rng.normal(size=(4, 3))
-    velocity = (screws.hat(twist) @ np.append(point, np.ones((4, 1)), axis=1)[..., None])[..., 0]
+    velocity = (hat(twist) @ np.append(point, np.ones((4, 1)), axis=1)[..., None])[..., 0]
     np.testing.assert_allclose(velocity[:, :3], twist[:, :3] + np.cross(twist[:, 3:], point), atol=1e-14)
     np.testing.assert_array_equal(velocity[:, 3], 0)
 
@@ -67,7 +80,7 @@ def test_a_unit_screw_turns_about_its_axis_and_advances_by_its_pitch(rng):
     """Points of the axis slide along it; all others go round it by the angle, at an unchanged distance."""
     axis, point = unit(rng, 50), rng.normal(size=(50, 3))
     pitch, angle = rng.normal(size=50), rng.uniform(-3, 3, 50)
-    T = screws.exp(screws.screw(axis, point, pitch) * angle[:, None])
+    T = screws.exp(helical(axis, point, pitch) * angle[:, None])
     advance = (pitch * angle)[:, None] * axis
 
     def moved(x):
@@ -86,34 +99,12 @@ def test_a_revolute_joint_turns_a_right_handed_quarter_and_a_prismatic_one_slide
     np.testing.assert_array_equal(slide, [[1, 0, 0, 0], [0, 1, 0, 3], [0, 0, 1, 0], [0, 0, 0, 1]])
 
 
-@given(sixes)
-def test_log_takes_exp_back(twist):
-    T = screws.exp(twist)
-    back = screws.log(T)
-    np.testing.assert_allclose(screws.exp(back), T, atol=1e-12)
-    assert np.linalg.norm(back[3:]) <= np.pi * (1 + 1e-15)
-    if np.linalg.norm(twist[3:]) < 3.1:
-        np.testing.assert_allclose(back, twist, atol=1e-12)
-
-
-@pytest.mark.parametrize("angle", ANGLES)
-def test_log_keeps_all_digits_at_every_angle(angle, rng):
-    axes = np.concatenate([unit(rng, 20), np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]]])
-    twist = np.concatenate([rng.normal(size=axes.shape), axes * angle], axis=-1)
-    back = screws.log(screws.exp(twist))
-    if angle == np.pi:  # either axis of half a turn is right
-        np.testing.assert_allclose(screws.exp(back), screws.exp(twist), atol=1e-14)
-        np.testing.assert_allclose(np.linalg.norm(back[:, 3:], axis=1), np.pi, rtol=1e-15)
-    else:
-        np.testing.assert_allclose(back, twist, atol=1e-14, rtol=1e-14)
-
-
 def test_adjoint_changes_the_frame_of_a_twist(rng):
     """The same motion seen from another frame, three ways: conjugation, matrices, exponentials."""
     T, twist = random_pose(rng, 40), rng.normal(size=(40, 6))
     seen = (screws.adjoint(T) @ twist[..., None])[..., 0]
-    back = screws.inverse(T)
-    np.testing.assert_allclose(screws.hat(seen), T @ screws.hat(twist) @ back, atol=1e-12)
+    back = np.linalg.inv(T)
+    np.testing.assert_allclose(hat(seen), T @ hat(twist) @ back, atol=1e-12)
     np.testing.assert_allclose(screws.exp(seen), T @ screws.exp(twist) @ back, atol=1e-11)
     np.testing.assert_allclose(
         screws.adjoint(T) @ screws.adjoint(back), np.broadcast_to(np.eye(6), (40, 6, 6)), atol=1e-12
@@ -122,17 +113,17 @@ def test_adjoint_changes_the_frame_of_a_twist(rng):
 
 def test_adjoint_carries_axis_and_point_along_and_keeps_the_pitch(rng):
     T, axis, point, pitch = random_pose(rng, 9), unit(rng, 9), rng.normal(size=(9, 3)), rng.normal(size=9)
-    carried = screws.screw(
+    carried = helical(
         (T[:, :3, :3] @ axis[..., None])[..., 0], (T[:, :3, :3] @ point[..., None])[..., 0] + T[:, :3, 3], pitch
     )
-    seen = screws.adjoint(T) @ screws.screw(axis, point, pitch)[..., None]
+    seen = screws.adjoint(T) @ helical(axis, point, pitch)[..., None]
     np.testing.assert_allclose(seen[..., 0], carried, atol=1e-12)
 
 
 def test_power_does_not_depend_on_the_frame(rng):
     T, twist, wrench = random_pose(rng, 40), rng.normal(size=(40, 6)), rng.normal(size=(40, 6))
     seen = (screws.adjoint(T) @ twist[..., None])[..., 0]
-    carried = (np.swapaxes(screws.adjoint(screws.inverse(T)), -1, -2) @ wrench[..., None])[..., 0]
+    carried = (np.swapaxes(screws.adjoint(np.linalg.inv(T)), -1, -2) @ wrench[..., None])[..., 0]
     np.testing.assert_allclose(
         screws.reciprocal_product(seen, carried), screws.reciprocal_product(twist, wrench), atol=1e-11
     )
@@ -141,11 +132,11 @@ def test_power_does_not_depend_on_the_frame(rng):
 def test_axis_point_and_pitch_of_a_twist_and_back(rng):
     twist = rng.normal(size=(3, 7, 6)) * 5
     found = screws.screw_axis(twist)
-    again = found.magnitude[..., None] * screws.screw(found.axis, found.point, found.pitch)
+    again = found.magnitude[..., None] * helical(found.axis, found.point, found.pitch)
     np.testing.assert_allclose(again, twist, atol=1e-13)
     np.testing.assert_allclose((found.axis * found.point).sum(axis=-1), 0, atol=1e-13)
     axis, point = unit(rng, 8), rng.normal(size=(8, 3))
-    found = screws.screw_axis(-3 * screws.screw(axis, point, 0.7))
+    found = screws.screw_axis(-3 * helical(axis, point, 0.7))
     np.testing.assert_allclose(found.axis, -axis, atol=1e-14)
     np.testing.assert_allclose(found.pitch, 0.7, atol=1e-14)
     np.testing.assert_allclose(found.magnitude, 3, atol=1e-14)
@@ -158,28 +149,24 @@ def test_a_translation_has_an_infinite_pitch():
     assert found.magnitude == 2
     np.testing.assert_array_equal(found.axis, [0, 0, 1])
     np.testing.assert_array_equal(found.point, [0, 0, 0])
-    np.testing.assert_array_equal(screws.screw(found.axis, found.point, found.pitch), [0, 0, 1, 0, 0, 0])
+    np.testing.assert_array_equal(screws.prismatic(found.axis), [0, 0, 1, 0, 0, 0])
     mixed = screws.screw_axis([[0, 0, 2, 0, 0, 0], [0, 0, 0, 0, 3, 0]])
     np.testing.assert_array_equal(mixed.pitch, [np.inf, 0])
     far = screws.screw_axis([1, 0, 0, 0, 0, 1e-9])  # still a turn, about an axis 10^9 away
     np.testing.assert_allclose(far.point, [0, 1e9, 0])
 
 
-def test_a_force_has_a_line_of_action_and_a_couple_none(rng):
+def test_a_force_has_a_line_of_action(rng):
     axis, point = unit(rng, 9), rng.normal(size=(9, 3))
     wrench = screws.force(axis, point)
     np.testing.assert_allclose(wrench[:, 3:], np.cross(point, axis), atol=1e-15)
     np.testing.assert_array_equal(wrench[:, :3], axis)
-    np.testing.assert_array_equal(screws.couple(axis), np.hstack([0 * axis, axis]))
     # The force does no work on a turn about a line that meets it, and force times distance on one square to it.
     through = screws.revolute(unit(rng, 9), point + 3 * axis)
     np.testing.assert_allclose(screws.reciprocal_product(through, wrench), 0, atol=1e-13)
     np.testing.assert_array_equal(screws.reciprocal_product(screws.prismatic([0, 0, 1]), [1, 2, 3, 4, 5, 6]), 3)
     np.testing.assert_array_equal(
         screws.reciprocal_product(screws.revolute([0, 1, 0], [0, 0, 0]), [1, 2, 3, 4, 5, 6]), 5
-    )
-    np.testing.assert_allclose(
-        screws.reciprocal_product(screws.prismatic(axis), screws.couple(axis)), 0, atol=1e-15
     )
 
 
@@ -202,8 +189,8 @@ def test_the_screws_are_the_geometric_jacobian_and_finite_differences(geometry, 
         ahead, behind = (
             screws.product_of_exponentials(twists, home, q + s * step * np.eye(5)[i]) for s in (1, -1)
         )
-        rate = (ahead - behind) / (2 * step) @ screws.inverse(T)
-        np.testing.assert_allclose(screws.hat(moved[..., i]), rate, atol=1e-7)
+        rate = (ahead - behind) / (2 * step) @ np.linalg.inv(T)
+        np.testing.assert_allclose(hat(moved[..., i]), rate, atol=1e-7)
 
 
 def test_the_screws_move_with_the_joints_before_them(rng):
@@ -262,12 +249,10 @@ def test_everything_broadcasts(batch, rng):
     axis, point = unit(rng, *batch), rng.normal(size=(*batch, 3))
     q = rng.normal(size=(*batch, 5))
     twists, home = joint_screws(arm.LYNX)
-    assert screws.exp(six).shape == screws.hat(six).shape == screws.inverse(T).shape == (*batch, 4, 4)
-    assert screws.log(T).shape == (*batch, 6)
+    assert screws.exp(six).shape == (*batch, 4, 4)
     assert screws.adjoint(T).shape == (*batch, 6, 6)
-    assert screws.screw(axis, point, np.ones(batch)).shape == (*batch, 6)
     assert screws.revolute(axis, [0, 0, 0]).shape == screws.prismatic(axis).shape == (*batch, 6)
-    assert screws.force(axis, point).shape == screws.couple(axis).shape == (*batch, 6)
+    assert screws.force(axis, point).shape == (*batch, 6)
     assert [x.shape for x in screws.screw_axis(six)] == [(*batch, 3), (*batch, 3), batch, batch]
     assert screws.reciprocal_product(six, np.ones(6)).shape == batch
     assert screws.order(np.zeros((*batch, 6, 4))).shape == batch
@@ -281,7 +266,6 @@ def test_a_row_of_a_batch_is_the_row_alone(rng):
     T = screws.exp(six)
     for i in range(4):
         np.testing.assert_array_equal(screws.exp(six[i]), T[i])
-        np.testing.assert_allclose(screws.log(T[i]), screws.log(T)[i], atol=1e-15)
         np.testing.assert_array_equal(screws.adjoint(T[i]), screws.adjoint(T)[i])
         np.testing.assert_allclose(
             screws.space_jacobian(twists, q[i]), screws.space_jacobian(twists, q)[i], atol=1e-15
@@ -300,9 +284,7 @@ def test_what_is_not_finite_gives_nan_in_its_own_row_only(bad, rng):
         assert np.isnan(T[1]).all()
         np.testing.assert_array_equal(T[[0, 2]], fine[[0, 2]])
         assert all(np.isnan(x[1]).all() for x in screws.screw_axis(spoiled))
-        assert np.isnan(screws.log(T)[1]).all()
         assert np.isnan(screws.adjoint(T)[1]).all()
-        assert np.isnan(screws.inverse(T)[1]).all()
     twists, home = joint_screws(arm.LYNX)
     q = np.zeros((2, 5))
     q[1, 4] = bad
@@ -311,31 +293,31 @@ def test_what_is_not_finite_gives_nan_in_its_own_row_only(bad, rng):
         assert np.isfinite(found[0]).all()
     T = np.eye(4)
     T[0, 3] = bad
-    assert np.isnan(screws.log(T)).all()
-    assert np.isnan(screws.screw([0, 0, 1], [bad, 0, 0])).all()
-    assert np.isnan(screws.screw([0, 0, 1], [0, 0, 0], np.nan)).all()
+    assert np.isnan(screws.adjoint(T)).all()
+    for line in (screws.revolute, screws.force):
+        assert np.isnan(line([0, 0, 1], [bad, 0, 0])).all()
+        assert np.isnan(line([[0, 0, 1], [bad, 0, 1]], [0, 0, 0])).all(axis=1).tolist() == [False, True]
     assert np.isnan(screws.prismatic([np.nan, 0, 1])).all()
     with pytest.raises(InputError, match="finite"):
         screws.order(np.full((6, 2), bad))
 
 
 def test_complex_numbers_and_wrong_shapes_are_refused():
-    for call in (screws.exp, screws.hat, screws.screw_axis):
-        with pytest.raises(InputError, match=r"must be \(6\); the shape given is \(5,\)"):
+    for call in (screws.exp, screws.screw_axis):
+        with pytest.raises(InputError, match=r"must be \(6,\); the shape given is \(5,\)"):
             call(np.ones(5))
         with pytest.raises(InputError, match="complex"):
             call(np.ones(6) + 0j)
-    for call in (screws.log, screws.adjoint, screws.inverse):
-        with pytest.raises(InputError, match=r"must be \(4, 4\); the shape given is \(3, 3\)"):
-            call(np.eye(3))
+    with pytest.raises(InputError, match=r"must be \(4, 4\); the shape given is \(3, 3\)"):
+        screws.adjoint(np.eye(3))
     with pytest.raises(InputError, match=r"must be \(6, n\)"):
         screws.order(np.ones((5, 6)))
-    with pytest.raises(InputError, match=r"must be \(5\)"):
+    with pytest.raises(InputError, match=r"must be \(5,\)"):
         screws.space_jacobian(joint_screws(arm.LYNX)[0], np.zeros(4))
-    with pytest.raises(InputError, match="One system"):
+    with pytest.raises(InputError, match=r"shape \(6, n\) are expected for the twists of one system"):
         screws.reciprocal_system(np.ones((2, 6, 3)))
     for length in (0, -1, np.nan, np.inf):
-        with pytest.raises(InputError, match="positive"):
+        with pytest.raises(InputError, match="length is one finite number, above 0"):
             screws.order(np.ones((6, 2)), length)
 
 
@@ -349,9 +331,8 @@ def test_complex_numbers_and_wrong_shapes_are_refused():
     ],
 )
 def test_what_is_not_a_pose_is_refused(T, off):
-    for call in (screws.log, screws.adjoint, screws.inverse):
-        with pytest.raises(InputError, match=f"off by {off}"):
-            call(T)
+    with pytest.raises(InputError, match=f"off by {off}"):
+        screws.adjoint(T)
     with pytest.raises(InputError, match="A pose is expected"):
         screws.product_of_exponentials(joint_screws(arm.LYNX)[0], T, np.zeros(5))
 
@@ -363,7 +344,7 @@ def test_axes_of_another_length_and_zero_screws_are_refused():
     with pytest.raises(ScrewError, match=r"length 0\."):
         screws.prismatic([0, 0, 0])
     with pytest.raises(ScrewError) as fault:
-        screws.couple([[0, 0, 1], [0, 0, 1 + 1e-8]])
+        screws.prismatic([[0, 0, 1], [0, 0, 1 + 1e-8]])
     assert fault.value.length == 1 + 1e-8
     with pytest.raises(ScrewError, match="A screw must have an axis"):
         screws.screw_axis([[0, 0, 1, 0, 0, 1], [0, 0, 0, 0, 0, 0]])

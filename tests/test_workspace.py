@@ -142,10 +142,10 @@ def bad(**changes):
 
 
 BAD = [
-    (bad(step=0), "positive angle in radians; 0 was given"),
-    (bad(step=-DEGREE), "positive angle"),
-    (bad(step=np.nan), "positive angle"),
-    (bad(step=np.inf), "positive angle"),
+    (bad(step=0), "The step is one finite number, above 0; 0 was given"),
+    (bad(step=-DEGREE), "The step is one finite number, above 0"),
+    (bad(step=np.nan), "The step is one finite number, above 0"),
+    (bad(step=np.inf), "The step is one finite number, above 0"),
     (bad(step=4), "4.0000 rad is larger than the range of joint 2, 3.1416 rad"),
     (bad(point="elbow"), "one of wrist, gripper; 'elbow' was given"),
     (bad(limits=RANGES[:, ::-1]), "limits of joint 1 are reversed: 6.2832 is above 0.0000"),
@@ -156,8 +156,11 @@ BAD = [
     (lambda: workspace.section(np.array([[0, 1], [0, 1], [1, 0], [0, 1]])), "joint 3 are reversed"),
     (lambda: workspace.section(LIMITS[5], "gripper"), "one of them stands still"),
     (lambda: workspace.occupancy(workspace.sweep(RANGES, 0.5), 0.0004), "would take 7.8 GB; 1 GB is allowed"),
-    (lambda: workspace.occupancy(workspace.sweep(RANGES, 0.5), 0), "positive length in metres; 0 was given"),
-    (lambda: workspace.occupancy(workspace.sweep(RANGES, 0.5), np.nan), "positive length"),
+    (
+        lambda: workspace.occupancy(workspace.sweep(RANGES, 0.5), 0),
+        "The edge of a cube is one finite number, above 0; 0 was given",
+    ),
+    (lambda: workspace.occupancy(workspace.sweep(RANGES, 0.5), np.nan), "The edge of a cube is"),
 ]
 
 

@@ -5,7 +5,5 @@ other into pieces; a piece is boundary if one side of it is inside and the other
 follows from these pieces in closed form, by Green's theorem.
 """
 
-from .circles import crossings
-from .region import Region, annulus
-
-__all__ = ["Region", "annulus", "crossings"]
+from ._circles import crossings
+from ._region import Region, annulus

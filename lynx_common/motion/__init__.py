@@ -12,26 +12,20 @@ Metres and radians; joint angles and task coordinates are those of ``arm``, and 
 
 from .detour import detour
 from .following import Followed, follow
-from .paths import Path, arc, joined, line, polyline, sinusoidal, space_line
-from .scalings import cubic, from_stretch, linear, quintic, to_stretch, trapezoidal
-from .speeds import duration, joint_velocities
+from .paths import Path, joined, line, space_line
+from .timing import cubic, duration, from_stretch, quintic, to_stretch, trapezoidal
 
 __all__ = [
     "Followed",
     "Path",
-    "arc",
     "cubic",
     "detour",
     "duration",
     "follow",
     "from_stretch",
     "joined",
-    "joint_velocities",
     "line",
-    "linear",
-    "polyline",
     "quintic",
-    "sinusoidal",
     "space_line",
     "to_stretch",
     "trapezoidal",

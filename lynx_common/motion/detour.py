@@ -1,18 +1,18 @@
 """The shortest way of the gripper around a circle in the arm's own plane: tangent, arc, tangent."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .. import arm, reading
 from ..errors import CollisionError, EndpointError, InputError, told_apart
-from ..symbolic import TASK
 from .following import follow
 from .paths import ROOM, Path, line
 
 
 def detour(
-    start: np.ndarray,
-    end: np.ndarray,
-    centre: tuple[float, float],
+    start: ArrayLike,
+    end: ArrayLike,
+    centre: ArrayLike,
     radius: float,
     margin: float = 0.0,
     turn: int = 0,
@@ -37,13 +37,18 @@ def detour(
     Returns
     -------
     path : Path
-        Its derivative in (r, z) has the length of the way as its norm, throughout. Raises EndpointError where the
-        arm cannot take the start or the end (cause: OutOfReachError, JointLimitError) or they are nearer to
-        the circle than the margin (CollisionError); InputError for two different azimuths, equal ends, or
-        numbers that make no circle.
+        Raises EndpointError where the arm cannot take the start or the end (cause: OutOfReachError,
+        JointLimitError) or they are nearer to the circle than the margin (CollisionError); InputError for two
+        different azimuths, equal ends, or numbers that make no circle.
+
+    >>> under = detour([0, 0.2, 0.3, 0, 0], [0, 0.4, 0.3, 0, 0], centre=(0.3, 0.3), radius=0.05)
+    >>> under(0.5).round(4)
+    array([0.  , 0.3 , 0.25, 0.  , 0.  ])
     """
     start, end = _ends(start, end, geometry)
-    centre, keep = _circle(centre, radius, margin, turn)
+    centre = reading.finite(centre, "the centre of the circle (r, z)", 2)
+    radius, margin = reading.number(radius, "radius", least=0), reading.number(margin, "margin", least=0)
+    turn, keep = reading.whole(turn, "turn", -1, 1), radius + margin
     for name, task in (("start", start), ("end", end)):
         distance = float(np.hypot(*(task[1:3] - centre))) - radius
         if distance < margin - ROOM:
@@ -52,13 +57,13 @@ def detour(
     if _distance_from_origin(start[1:3] - centre, end[1:3] - centre) >= keep - ROOM:
         return straight
     if turn:
-        return _around(straight, centre, keep, turn)
-    left, right = (_around(straight, centre, keep, way) for way in (1, -1))
-    longer = np.hypot(*left.derivative(0.0)[1:3]) - np.hypot(*right.derivative(0.0)[1:3])
-    return right if longer > ROOM else left
+        return _around(straight, centre, keep, turn)[0]
+    (left, its_length), (right, other_length) = (_around(straight, centre, keep, way) for way in (1, -1))
+    return right if its_length - other_length > ROOM else left
 
 
-def _around(straight: Path, centre: np.ndarray, radius: float, turn: int) -> Path:
+def _around(straight: Path, centre: np.ndarray, radius: float, turn: int) -> tuple[Path, float]:
+    """The way round on one side, at even speed in (r, z), and its length in metres."""
     first, last = (straight(s)[1:3] - centre for s in (0.0, 1.0))
     angle = np.arctan2(first[1], first[0])
     sweep = turn * (np.arctan2(last[1], last[0]) - angle) % (2 * np.pi)
@@ -66,53 +71,30 @@ def _around(straight: Path, centre: np.ndarray, radius: float, turn: int) -> Pat
     tangent, arc = radius * np.tan(to_touch), radius * (sweep - to_touch - from_touch)
     length = tangent + arc + radius * np.tan(from_touch)
 
-    def frame(s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Direction from the centre to the point of touch, the tangent there, and how far beyond it s is."""
-        way = s * length - tangent
+    def point(s: np.ndarray) -> np.ndarray:
+        way = s * length - tangent  # from the first point of touch
         on_arc = np.clip(way, 0, arc)
         at = angle + turn * (to_touch + on_arc / radius)
-        c, s = np.cos(at), np.sin(at)
-        return np.concatenate([c, s], axis=-1), turn * np.concatenate([-s, c], axis=-1), way - on_arc
-
-    def point(s: np.ndarray) -> np.ndarray:
-        outwards, along, beyond = frame(s)
+        outwards = np.concatenate([np.cos(at), np.sin(at)], axis=-1)
+        along = turn * np.concatenate([-np.sin(at), np.cos(at)], axis=-1)
         task = straight.point(s)
-        task[..., 1:3] = centre + radius * outwards + beyond * along
+        task[..., 1:3] = centre + radius * outwards + (way - on_arc) * along
         return task
 
-    def slope(s: np.ndarray) -> np.ndarray:
-        change = straight.slope(s)
-        change[..., 1:3] = length * frame(s)[1]
-        return change
-
-    return Path(point, slope)
+    return Path(point), float(length)
 
 
-def _ends(start: np.ndarray, end: np.ndarray, geometry: arm.Geometry) -> list[np.ndarray]:
-    ends = [reading.batch(task, TASK) for task in (start, end)]
+def _ends(start: ArrayLike, end: ArrayLike, geometry: arm.Geometry) -> list[np.ndarray]:
+    ends = [reading.finite(task, "task coordinates", 5) for task in (start, end)]
     for name, task in zip(("start", "end"), ends, strict=True):
-        if task.shape != (5,) or not np.isfinite(task).all():
-            raise InputError(f"The {name} is five finite task coordinates; {task.tolist()} was given.")
         if failure := follow(task[None], geometry).failure:
             raise EndpointError(name, failure.cause)
     if abs(ends[0][0] - ends[1][0]) > ROOM:
         given = " and ".join(told_apart(*(np.rad2deg(task[0]) for task in ends), decimals=2))
         raise InputError(f"The way stays in one plane of the arm; the azimuths given are {given} deg.")
-    if np.array_equal(*ends):
+    if np.array_equal(ends[0], ends[1]):
         raise InputError("The start and the end of the motion are the same: its length is zero.")
     return ends
-
-
-def _circle(centre: tuple[float, float], radius: float, margin: float, turn: int) -> tuple[np.ndarray, float]:
-    centre = reading.real(centre, "the centre of the circle")
-    if centre.shape != (2,) or not np.isfinite(centre).all():
-        raise InputError(f"The centre of the circle is (r, z), two finite numbers; {centre.tolist()} was given.")
-    for name, value in (("radius", radius), ("margin", margin)):
-        if not 0 <= reading.real(value, f"the {name}") < np.inf:
-            raise InputError(f"The {name} is finite and not negative, in metres; {value} was given.")
-    if turn not in (-1, 0, 1):
-        raise InputError(f"The turn is 1, -1, or 0 for the shorter one; {turn!r} was given.")
-    return centre, float(radius + margin)
 
 
 def _distance_from_origin(first: np.ndarray, last: np.ndarray) -> float:

@@ -5,13 +5,12 @@ from itertools import product
 from math import ceil, floor, prod
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .. import arm, reading
 from ..arm.geometry import AT_LIMIT
 from ..arm.inverse import out_of_reach
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
-from ..reading import limits as read_limits
-from ..symbolic import TASK
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
 LARGEST_STEP = np.pi / 2
@@ -46,7 +45,7 @@ class Followed:
         return self.failure is None
 
 
-def follow(task: np.ndarray, geometry: arm.Geometry = arm.LYNX, limits: np.ndarray = arm.JOINT_LIMITS) -> Followed:
+def follow(task: ArrayLike, geometry: arm.Geometry = arm.LYNX, limits: ArrayLike = arm.JOINT_LIMITS) -> Followed:
     """Joint angles that follow samples of a path continuously within joint limits, with the least travel.
 
     Joint travel is the sum of the Euclidean norms of the steps in joint space. A motion keeps the sign of theta_3,
@@ -67,31 +66,24 @@ def follow(task: np.ndarray, geometry: arm.Geometry = arm.LYNX, limits: np.ndarr
     followed : Followed
         Its q has ``task`` for task coordinates, give or take full turns. What happens between the samples is not
         asked. Raises InputError where ``task`` is not of shape (n, 5) or not finite, or limits make no sense.
+
+    >>> from lynx_common.motion import line
+    >>> along = line([0, 0.3, 0.2, 0, 0], [0, 0.6, 0.2, 0, 0])(np.linspace(0, 1, 31))
+    >>> follow(along).failure.sample  # the first that the links do not reach
+    19
     """
-    task, limits = _samples(task), read_limits(limits, 5)
+    task, limits = reading.finite(task, "task coordinates", None, 5), reading.limits(limits, 5)
     elbows = _elbows(task, geometry)
     reached = np.isfinite(elbows[:, 0, 0])
-    turns = _turns(elbows[reached], limits)
-    candidates = elbows[:, :, None] + turns  # (n, elbows, turns, 5)
-    allowed = ~((_excess(candidates, limits) > AT_LIMIT).any(axis=-1) & reached[:, None, None])
-    steps = np.diff(elbows, axis=0)
-    jump = np.abs(steps).max(axis=-1) > LARGEST_STEP  # False at NaN
-    chosen = _least_travel(np.linalg.norm(steps, axis=-1), jump, np.abs(elbows[:, 0, 2]) <= STRETCHED, allowed)
-    pick = (np.arange(len(task)), *chosen)
-    q, allowed, continuous = candidates[pick], allowed[pick], np.ones(len(task), bool)
+    turned = elbows + _turns(elbows[reached], limits)[:, None, None]  # (turns, n, elbow, joint)
+    allowed = ~((_excess(turned, limits) > AT_LIMIT).any(axis=-1) & reached[:, None])
+    turn, elbow = _least_travel(elbows, allowed)
+    pick = (turn, np.arange(len(task)), elbow)
+    q, allowed, continuous = turned[pick], allowed[pick], np.ones(len(task), bool)
     continuous[1:] = ~(np.abs(np.diff(q, axis=0)).max(axis=-1) > LARGEST_STEP)
     failure = _failure(task, q, (reached, allowed, continuous), geometry, limits)
     fails = ~(reached & allowed & continuous)
     return Followed(np.where(fails[:, None], np.nan, q), reached, allowed, continuous, failure)
-
-
-def _samples(task: np.ndarray) -> np.ndarray:
-    task = reading.batch(task, TASK)
-    if task.ndim != 2:
-        raise InputError(f"Samples of task coordinates are expected, (n, 5); the shape given is {task.shape}.")
-    for sample in np.flatnonzero(~np.isfinite(task).all(axis=1)):
-        raise InputError(f"Sample {sample} of the path is not finite: {task[sample].tolist()}.")
-    return task
 
 
 def _elbows(task: np.ndarray, geometry: arm.Geometry) -> np.ndarray:
@@ -106,7 +98,11 @@ def _elbows(task: np.ndarray, geometry: arm.Geometry) -> np.ndarray:
 
 
 def _turns(elbows: np.ndarray, limits: np.ndarray) -> np.ndarray:
-    """Full turns, (k, 5) radians, that added to a whole motion may bring it within limits."""
+    """Full turns, (k, 5) radians, that added to a whole motion may bring it within limits.
+
+    ``elbows`` are the samples that are reached. One choice is enough for a joint where it keeps the limits all
+    along, and for azimuth and roll, which do not depend on the elbow.
+    """
     if not len(elbows):
         return np.zeros((1, 5))
     choices = []
@@ -119,16 +115,14 @@ def _turns(elbows: np.ndarray, limits: np.ndarray) -> np.ndarray:
         _check_size(len(elbows) * (last - first + 1.0))
         turns = 2 * np.pi * np.array(sorted(range(first, last + 1), key=abs))
         outside = ((angles + turns < lower) | (angles + turns > upper)).sum(axis=(0, 1))
-        # Where one choice keeps the limits all along, it will do. Azimuth and roll do not depend on the elbow.
-        one = outside.min() == 0 or joint in (0, 4)
-        choices.append(turns[[outside.argmin()]] if one else turns)
-    _check_size(len(elbows) * prod(map(len, choices)) ** 2.0)
+        choices.append(turns[[outside.argmin()]] if outside.min() == 0 or joint in (0, 4) else turns)
+    _check_size(len(elbows) * prod(map(float, map(len, choices))))
     return np.array(list(product(*choices)))
 
 
-def _check_size(states: float) -> None:
-    """InputError where so many pairs of states, 32 bytes each, would fill the memory."""
-    if (size := 32 * states) > LARGEST_SEARCH:
+def _check_size(postures: float) -> None:
+    """InputError where so many postures, of two elbows and five joints each, would fill the memory."""
+    if (size := 80 * postures) > LARGEST_SEARCH:
         need = f"{size / 1e9:.2g} GB would be needed; 1 GB is allowed"
         raise InputError(f"Limits so wide leave so many full turns to choose from that {need}.")
 
@@ -139,32 +133,32 @@ def _excess(q: np.ndarray, limits: np.ndarray) -> np.ndarray:
     return np.maximum(0, np.maximum(lower - q, q - upper))
 
 
-def _least_travel(
-    travel: np.ndarray, jump: np.ndarray, stretched: np.ndarray, allowed: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """The elbow and the full turns of each sample, two arrays (n,).
+def _least_travel(elbows: np.ndarray, allowed: np.ndarray) -> tuple[int, np.ndarray]:
+    """Which full turns, and which elbow at each sample, (n,), fail least often, and of these travel least.
 
-    ``travel`` and ``jump`` are (n - 1, 2), of each step and elbow, with NaN beside a sample out of reach;
-    ``stretched`` is (n,), ``allowed`` (n, 2, turns).
+    ``elbows`` is (n, 2, 5), NaN where not reached; ``allowed`` (turns, n, 2). For each choice of turns the
+    cheapest way to either elbow of a sample is the cheapest way to the sample before, and one step. It keeps to
+    its elbow, but at full stretch, and beside a sample out of reach, where the motion is broken anyway.
     """
-    n, _, turns = allowed.shape
-    fails = 1 + np.nansum(travel)  # more than any travel
-    elbow, turn = np.divmod(np.arange(2 * turns), turns)  # of each state
-    goes_on = (turn[:, None] == turn) & ((elbow[:, None] == elbow) | stretched[:-1, None, None])
-    goes_on |= np.isnan(travel[:, :1, None])  # beside a sample out of reach the motion is broken anyway
-    step = np.where(jump, fails, np.nan_to_num(travel))[:, None, elbow]
-    step = np.where(goes_on, step, np.inf)  # from any state (rows) to any
-    here = fails * ~allowed.reshape(n, 2 * turns)
-    cost, came = here[:1].sum(axis=0), np.empty((max(n - 1, 0), len(elbow)), int)
-    for i in range(n - 1):
-        total = cost[:, None] + step[i]
-        came[i] = total.argmin(axis=0)
-        cost = total.min(axis=0) + here[i + 1]
-    state = np.empty(n, int)
-    state[-1:] = cost.argmin()
-    for i in range(n - 2, -1, -1):
-        state[i] = came[i, state[i + 1]]
-    return elbow[state], turn[state]
+    steps = np.diff(elbows, axis=0)
+    travel = np.linalg.norm(steps, axis=-1)  # (n - 1, 2)
+    failure = 1 + np.nansum(travel)  # costs more than any travel
+    step = np.where(np.abs(steps).max(axis=-1) > LARGEST_STEP, failure, np.nan_to_num(travel))
+    may_change = (np.abs(elbows[:-1, 0, 2]) <= STRETCHED) | np.isnan(travel[:, 0])
+    here = failure * ~allowed
+    n, cost = len(elbows), here[:, :1].sum(axis=1)  # (turns, 2)
+    came_from = np.broadcast_to([0, 1], (n, *cost.shape)).copy()
+    for i in range(1, n):
+        if may_change[i - 1]:
+            came_from[i, cost[:, 0] < cost[:, 1]] = 0
+            came_from[i, cost[:, 1] < cost[:, 0]] = 1
+            cost = np.repeat(cost.min(axis=1, keepdims=True), 2, axis=1)
+        cost = cost + step[i - 1] + here[:, i]
+    turn, last = np.unravel_index(cost.argmin(), cost.shape)
+    elbow = np.full(n, last)
+    for i in range(n - 1, 0, -1):
+        elbow[i - 1] = came_from[i, turn, elbow[i]]
+    return int(turn), elbow
 
 
 def _failure(

@@ -8,9 +8,6 @@ a path is the sum of the Euclidean lengths of its straight pieces, in radians wh
     path = planner.shortcut(free, found.path)
 """
 
-from .edges import joint_travel
-from .search import Plan, plan
-from .shortcuts import shortcut
-from .tree import Tree
-
-__all__ = ["Plan", "Tree", "joint_travel", "plan", "shortcut"]
+from ._paths import joint_travel, shortcut
+from ._search import Plan, plan
+from ._tree import Tree

@@ -3,6 +3,7 @@
 Rows are the legs 1 to 3. The notebooks derive them anew, and assert that both are the same.
 """
 
+from collections.abc import Sequence
 from itertools import product
 
 import sympy as sp
@@ -68,6 +69,33 @@ def velocity_rows() -> sp.Matrix:
         PP, PB, proximal = (sp.Matrix([point]) for point in (PP, PB, proximal))
         distal = PP - PB - proximal
         rows.append([*distal, cross(PP - C, distal), cross(proximal, distal)])
+    return sp.Matrix(rows)
+
+
+def normalised() -> sp.Matrix:
+    """What is zero at a singularity, without units, (4, 1), in POSE, THETA and DESIGN: the sine at each elbow
+    (type 1), and det A of distal links of length 1, over r_platform (type 2).
+    """
+    S_A, L, r_platform, *_ = DESIGN
+    rows = velocity_rows()
+    sines = rows[:, 3] / (S_A * L)
+    A = rows[:, :3] * sp.diag(1 / L, 1 / L, 1 / (L * r_platform))
+    return sines.col_join(sp.Matrix([A[0, :].dot(A[1, :].cross(A[2, :]))]))
+
+
+def unit_rows(mode: Sequence[int]) -> sp.Matrix:
+    """The rows of A for distal links of length 1, moments over r_platform, (3, 3), in POSE and DESIGN.
+
+    Elbow i is where two circles cross, on the side that the sign of ``mode`` says: no motor angle is needed.
+    """
+    S_A, L, r_platform, *_ = DESIGN
+    C, rows = sp.Matrix([POSE[:2]]), []
+    for sigma, PP, (x, y) in zip(mode, platform_joints().tolist(), legs().tolist(), strict=True):
+        squared = x**2 + y**2
+        share = sp.Rational(1, 2) + (S_A**2 - L**2) / (2 * squared)  # of the leg, to the foot of the elbow on it
+        height = sp.sqrt(S_A**2 / squared - share**2)
+        distal = ((1 - share) * sp.Matrix([[x, y]]) + sigma * height * sp.Matrix([[-y, x]])) / L
+        rows.append([*distal, cross(sp.Matrix([PP]) - C, distal) / r_platform])
     return sp.Matrix(rows)
 
 

@@ -48,7 +48,7 @@ def forward_kinematics(theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray
 
     Source: notebook Part2, section 7.
 
-    >>> poses = forward_kinematics(np.deg2rad([-136.4, -16.4, 103.6]))
+    >>> poses = forward_kinematics(np.deg2rad([-136.277, -16.277, 103.723]))
     >>> int(np.isfinite(poses[:, 0]).sum())  # of the six rows so many hold a pose
     2
     """

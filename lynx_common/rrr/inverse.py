@@ -43,7 +43,7 @@ def inverse_kinematics(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     Source: report eqs. (2.3) to (2.12), with the base joints put back; notebook Part2, sections 2 and 4.
 
     >>> np.rad2deg(inverse_kinematics([0, 0, 0]))[0].round(3)  # in the middle, all legs bent to the left
-    array([-136.397,  -16.397,  103.603])
+    array([-136.277,  -16.277,  103.723])
     """
     both = _motor_angles(pose, geometry)
     both = np.where(closes(squared_lengths(pose, geometry), geometry)[..., None, :], both, np.nan)

@@ -13,7 +13,8 @@ from .geometry import RRR, Geometry
 SINGULAR = 1e-6
 
 
-velocity_rows = compiled(POSE, THETA, DESIGN)(formulas.velocity_rows)
+_velocity_rows = compiled(POSE, THETA, DESIGN)(formulas.velocity_rows)
+_normalised = compiled(POSE, THETA, DESIGN)(formulas.normalised)
 
 
 def jacobians(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> tuple[np.ndarray, np.ndarray]:
@@ -38,11 +39,11 @@ def jacobians(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> tu
 
     Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
 
-    >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.4, -16.4, 103.6]))
+    >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.277, -16.277, 103.723]))
     >>> np.diagonal(B).round() + 0.0  # all three legs bent alike
     array([19657., 19657., 19657.])
     """
-    rows = velocity_rows(pose, theta, geometry)
+    rows = _velocity_rows(pose, theta, geometry)
     return rows[..., :3], rows[..., 3, None] * np.eye(3)
 
 
@@ -54,13 +55,9 @@ def singularity_type(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR
     Lengths are divided out: the sine at each elbow, and det A of unit links over r_platform, are compared with
     SINGULAR. NaN where pose or theta is not finite; shape (...).
 
-    >>> singularity_type([0, 0, 0], np.deg2rad([[-136.4, -16.4, 103.6]]))
+    >>> singularity_type([0, 0, 0], np.deg2rad([[-136.277, -16.277, 103.723]]))
     array([0.])
     """
-    A, B = jacobians(pose, theta, geometry)
-    S_A, L, r_platform, *_ = geometry
-    sines = np.diagonal(B, axis1=-2, axis2=-1) / (S_A * L)
-    first = np.abs(sines).min(axis=-1) <= SINGULAR
-    with np.errstate(invalid="ignore"):  # NaN
-        second = np.abs(np.linalg.det(A / np.array([L, L, L * r_platform]))) <= SINGULAR
-    return np.where(np.isfinite(sines).all(axis=-1), first + 2.0 * second, np.nan)
+    normalised = _normalised(pose, theta, geometry)
+    zero = np.abs(normalised) <= SINGULAR
+    return np.where(np.isfinite(normalised).all(axis=-1), zero[..., :3].any(axis=-1) + 2.0 * zero[..., 3], np.nan)

@@ -6,34 +6,13 @@ The power of the one on the other is then the plain product f . v + m . omega. S
 (..., 6); the twists of several joints are the columns of a matrix, (..., 6, n), as in a Jacobian. Angles are in
 radians, lengths in any one unit.
 
-Many books write (omega, v) instead; there the blocks of ``adjoint`` change places. Where a twist, a wrench or a
-pose is not finite, no finite number comes of it; a chain of joints and a system must be finite. Complex numbers
-and wrong shapes raise InputError.
+Many books write (omega, v) instead; there the blocks of ``adjoint`` change places. A twist, a wrench or a pose
+that holds NaN or infinity gives NaN; the screws of a chain of joints and of a system must be finite. Complex
+numbers and wrong shapes raise InputError.
 
 Source: K. Lynch and F. Park, Modern Robotics, chapters 3 to 5, with the halves of the six-vectors exchanged.
 """
 
-from .exponential import adjoint, exp, hat, inverse, log
-from .joints import product_of_exponentials, space_jacobian
-from .lines import Screw, couple, force, prismatic, revolute, screw, screw_axis
-from .systems import order, reciprocal_product, reciprocal_system
-
-__all__ = [
-    "Screw",
-    "adjoint",
-    "couple",
-    "exp",
-    "force",
-    "hat",
-    "inverse",
-    "log",
-    "order",
-    "prismatic",
-    "product_of_exponentials",
-    "reciprocal_product",
-    "reciprocal_system",
-    "revolute",
-    "screw",
-    "screw_axis",
-    "space_jacobian",
-]
+from ._lines import Screw, force, prismatic, revolute, screw_axis
+from ._motions import adjoint, exp, product_of_exponentials, space_jacobian
+from ._systems import order, reciprocal_product, reciprocal_system

@@ -5,6 +5,7 @@ Symbols and numbers never share a name: ``theta_2`` and ``L_1`` are symbols, ``q
 """
 
 from .door import CHUNK, compiled, numeric
+from .enclosing import enclose
 from .symbols import ANGLES, DESIGN, POSE, ROW, TASK, WRIST, XYZ, P, Q
 from .tidying import tidy
 
@@ -20,6 +21,7 @@ __all__ = [
     "P",
     "Q",
     "compiled",
+    "enclose",
     "numeric",
     "tidy",
 ]

@@ -107,15 +107,15 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable,
     if len(arrays) != len(vectors):
         wanted = " and ".join(map(reading.named, vectors)) or "none"
         raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
-    arrays = [np.array(x.values) if isinstance(x, reading.Record) else x for x in arrays]
-    arrays = [reading.batch(x, symbols) for x, symbols in zip(arrays, vectors, strict=True)]
-    for x, symbols, (indices, most) in zip(arrays, vectors, angular, strict=True):
+    given = [np.array(x.values) if isinstance(x, reading.Record) else x for x in arrays]
+    read = [reading.batch(x, symbols) for x, symbols in zip(given, vectors, strict=True)]
+    for x, symbols, (indices, most) in zip(read, vectors, angular, strict=True):
         if indices:
             angles = x[..., indices] if len(indices) < len(symbols) else x
             reading.warn_of_degrees(angles, reading.named(tuple(symbols[i] for i in indices)), most)
-    batch = np.broadcast_shapes(*(x.shape[:-1] for x in arrays))
+    batch = np.broadcast_shapes(*(x.shape[:-1] for x in read))
     size = prod(batch)
-    flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in arrays]
+    flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in read]
     values = np.empty((size, entries))
     chunk = CHUNK * max(1, ENTRIES // entries)
     for start in range(0, size, chunk):
@@ -151,7 +151,7 @@ def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixB
         def function(*arrays: ArrayLike) -> np.ndarray:
             return made()(*arrays)
 
-        function.formula = once
+        function.formula = once  # type: ignore[attr-defined]
         return function
 
     return decorate
@@ -162,14 +162,14 @@ def _vectors(vectors: Sequence[Sequence[sp.Symbol]]) -> tuple[tuple[sp.Symbol, .
     for vector in vectors:
         if isinstance(vector, str) or not isinstance(vector, Iterable):
             raise InputError(f"Vectors of symbols, such as (x,), are expected, not {reading.shortened(vector)}.")
-    vectors = tuple(map(tuple, vectors))
-    symbols = [symbol for vector in vectors for symbol in vector]
+    as_tuples = tuple(map(tuple, vectors))
+    symbols = [symbol for vector in as_tuples for symbol in vector]
     for symbol in symbols:
         if not isinstance(symbol, sp.Symbol):
             raise InputError(f"Vectors of symbols are expected; one of them holds {reading.shortened(symbol)}.")
         if symbols.count(symbol) > 1:
             raise InputError(f"The symbol {symbol} is listed twice.")
-    return vectors
+    return as_tuples
 
 
 def _real_valued(matrix: sp.MatrixBase) -> sp.MatrixBase:

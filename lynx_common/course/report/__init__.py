@@ -8,8 +8,9 @@ with the robots' modules, so that nothing can be compared with itself.
 
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -18,13 +19,22 @@ from IPython.display import Markdown
 
 from ...errors import LedgerError, UnknownNameError
 from ...symbolic import TASK
-from . import a1, a2, a3, b1, b2, b3, part2, part3
-from .item import Item, differs
+from .item import Item, differs, judged_otherwise
 
+MODULES = ("a1", "a2", "a3", "b1", "b2", "b3", "part2", "part2_results", "part3")
 LETTERS = {TASK[3]: r"\varphi"}  # the pitch, as the notebooks write it
 CHECKED = re.compile(r'report\.check\("([^"]+)"')
 NAME = re.compile(r"\b(?:(theta|[A-Za-z])_(\d+|[A-Za-z]|base|platform)|alpha|theta)\b")
-LEDGER = {item.key: item for notebook in (a1, a2, a3, b1, b2, b3, part2, part3) for item in notebook.ITEMS}
+
+
+def _items(name: str) -> Iterator[Item]:
+    """What module ``name`` says: its notebook, and at each place of the report the facts of each item, by key."""
+    module = import_module(f".{name}", __name__)
+    for where, group in module.PRINTED.items():
+        yield from (Item(key, where, module.NOTEBOOK, **facts) for key, facts in group.items())
+
+
+LEDGER = {item.key: item for name in MODULES for item in _items(name)}
 
 
 def printed(key: str) -> np.ndarray | sp.Basic | bool:
@@ -32,14 +42,14 @@ def printed(key: str) -> np.ndarray | sp.Basic | bool:
     return _find(key).value
 
 
-def check(key: str, derived: np.ndarray | sp.Basic | bool) -> None:
+def check(key: str, derived: np.ndarray | sp.Basic | bool | tuple[bool, bool]) -> None:
     """Compare what was ``derived`` with what is printed as item ``key``, and print the verdict.
 
     Parameters
     ----------
     key : "eq. 1.1", "Table 1.3", "Fig. 1.2" or "claim A1.1"
     derived : expression or matrix (compared symbolically), numbers (to the digits printed), or for a claim
-        whether it was found true
+        whether it was found true; for one that *holds, if*: whether as it stands, and whether as it may be meant
 
     Raises LedgerError unless the recorded verdict is the one found. An item *holds* where both agree;
     *holds, if* where they do not agree in general, but under the recorded condition; it is *wrong* where they
@@ -51,18 +61,20 @@ def check(key: str, derived: np.ndarray | sp.Basic | bool) -> None:
     print(f"{key} {item.verdict}")
 
 
-def _contradiction(item: Item, derived: np.ndarray | sp.Basic | bool) -> str:
+def _contradiction(item: Item, derived: object) -> str:
     """In which way ``derived`` contradicts the recorded verdict; empty where it does not."""
+    if item.printed is True:
+        return judged_otherwise(item.kind, derived)
     difference = differs(item.value, derived, item.digits)
     if item.kind == "holds":
         return difference
     if not difference:
         return "it agrees with what is printed"
-    if item.kind == "holds, if" and not isinstance(item.value, sp.Basic | sp.MatrixBase):
-        return "claims and numbers hold or not, without conditions"
-    if item.kind == "holds, if":
-        return differs(item.value, derived.xreplace(item.condition), item.digits)
-    return differs(item.right, derived, item.digits) if item.right is not None else ""
+    if item.kind == "wrong":
+        return differs(item.right, derived, item.digits)
+    if isinstance(item.value, np.ndarray):
+        return "numbers hold or not, without conditions"
+    return differs(item.value, derived.xreplace(item.condition), item.digits)
 
 
 def summary(notebook: str) -> Markdown:

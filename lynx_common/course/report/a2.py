@@ -1,71 +1,58 @@
 """Section 1.2 of the report, workspace: its figures and claims."""
 
-import numpy as np
+from .item import claim, numbers
 
-from .item import Item
-
+# A figure of the workspace is read by its extent: lowest and highest x, y and z in metres.
 NOTEBOOK = "A2_workspace"
-
-
-def _figure(number: str, says: str, reading: list[float]) -> Item:
-    """A figure by its extent, lowest and highest x, y and z in metres."""
-    return Item(number, "1.2, p. 4", says, np.array(reading), NOTEBOOK, "holds", digits=2)
-
-
-def _claim(number: int, says: str, verdict: str = "holds", because: str = "") -> Item:
-    return Item(f"claim A2.{number}", "1.2, pp. 4-5", says, True, NOTEBOOK, verdict, because)
-
-
-ITEMS = [
-    _figure(
-        "Fig. 1.3",
-        "the points of the wrist in steps of 10 deg: x and y from -0.4 to 0.4 m, z from -0.3 to 0.5 m",
-        [-0.4, 0.4, -0.4, 0.4, -0.3, 0.5],
-    ),
-    _figure(
-        "Fig. 1.4",
-        "the points of the gripper, theta_2 from 0 to 180 deg: x and y from -0.5 to 0.5 m, z from -0.2 to 0.6 m",
-        [-0.5, 0.5, -0.5, 0.5, -0.2, 0.6],
-    ),
-    _claim(1, "theta_5 does not move the wrist"),
-    _claim(
-        2,
-        "the wrist's workspace takes a sweep over the first four joints",
-        "wrong: it takes one over theta_2 and theta_3; theta_1 only turns the result about the base axis",
-        "theta_4 does not move the wrist either: row 4 of Table 1.2 has no length and no offset",
-    ),
-    _claim(
-        3,
-        "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
-        "wrong: only 20,566 of them differ in the arm's plane, and 5,880,332 in space, which take 141 MB",
-        "theta_4 only repeats each point 361 times, and theta_1 only turns the arm's plane",
-    ),
-    _claim(4, "the workspace of the wrist is like a spherical shell"),
-    _claim(
-        5,
-        "the wrist cannot reach the position directly above or below the base",
-        "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from 0.18 to 0.30 m below",
-        "with theta_3 = 0 it is above the base at theta_2 = 90 deg, and below it at theta_2 = -90 deg",
-    ),
-    _claim(
-        6,
-        "its horizontal extent is determined by L_1 + L_2 + L_3",
-        "wrong: for the wrist it is L_1 + L_2 = 0.4 m",
-        "L_3 is the part beyond the wrist, and the report's own figure ends at 0.4 m",
-    ),
-    _claim(
-        7,
-        "the dense inner ring of Fig. 1.3b is near the base",
-        "wrong: it is near the base axis, but 0.38 m or more above the base, or 0.18 m or more below",
-        "a view from above hides heights, and no point of the ring is within 0.1 m of the base's height",
-    ),
-    _claim(8, "the gaps are caused by the step of 10 deg"),
-    _claim(9, "another range of one joint can make a large difference to the workspace"),
-    _claim(
-        10,
-        "the workspace extends in the horizontal plane like a cylinder",
-        "wrong: like a sphere; the higher or lower, the less far out",
-        "it goes out to 0.400 m at z = 0.1 m, but only to 0.268 m at z = 0.4 m",
-    ),
-    _claim(11, "the outermost points are those of the stretched arm"),
-]
+PRINTED = {
+    "1.2, p. 4": {
+        "Fig. 1.3": numbers(
+            "the points of the wrist in steps of 10 deg: x and y from -0.4 to 0.4 m, z from -0.3 to 0.5 m",
+            [-0.4, 0.4, -0.4, 0.4, -0.3, 0.5],
+            2,
+        ),
+        "Fig. 1.4": numbers(
+            "the points of the gripper, theta_2 from 0 to 180 deg: x and y from -0.5 to 0.5 m, "
+            "z from -0.2 to 0.6 m",
+            [-0.5, 0.5, -0.5, 0.5, -0.2, 0.6],
+            2,
+        ),
+    },
+    "1.2, pp. 4-5": {
+        "claim A2.1": claim("theta_5 does not move the wrist"),
+        "claim A2.2": claim(
+            "the wrist's workspace takes a sweep over the first four joints",
+            "wrong: it takes one over theta_2 and theta_3; theta_1 only turns the result about the base axis",
+            "theta_4 does not move the wrist either: row 4 of Table 1.2 has no length and no offset",
+        ),
+        "claim A2.3": claim(
+            "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
+            "wrong: only 20,566 of them differ in the arm's plane, and 5,880,332 in space, which take 141 MB",
+            "theta_4 only repeats each point 361 times, and theta_1 only turns the arm's plane",
+        ),
+        "claim A2.4": claim("the workspace of the wrist is like a spherical shell"),
+        "claim A2.5": claim(
+            "the wrist cannot reach the position directly above or below the base",
+            "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from 0.18 to 0.30 m below",
+            "with theta_3 = 0 it is above the base at theta_2 = 90 deg, and below it at theta_2 = -90 deg",
+        ),
+        "claim A2.6": claim(
+            "its horizontal extent is determined by L_1 + L_2 + L_3",
+            "wrong: for the wrist it is L_1 + L_2 = 0.4 m",
+            "L_3 is the part beyond the wrist, and the report's own figure ends at 0.4 m",
+        ),
+        "claim A2.7": claim(
+            "the dense inner ring of Fig. 1.3b is near the base",
+            "wrong: it is near the base axis, but 0.38 m or more above the base, or 0.18 m or more below",
+            "a view from above hides heights, and no point of the ring is within 0.1 m of the base's height",
+        ),
+        "claim A2.8": claim("the gaps are caused by the step of 10 deg"),
+        "claim A2.9": claim("another range of one joint can make a large difference to the workspace"),
+        "claim A2.10": claim(
+            "the workspace extends in the horizontal plane like a cylinder",
+            "wrong: like a sphere; the higher or lower, the less far out",
+            "it goes out to 0.400 m at z = 0.1 m, but only to 0.268 m at z = 0.4 m",
+        ),
+        "claim A2.11": claim("the outermost points are those of the stretched arm"),
+    },
+}

@@ -6,17 +6,14 @@ from functools import cache
 
 import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike
 
 from ... import reading
 from ...errors import InputError
 from ...symbolic import numeric, tidy
 
+Facts = dict[str, object]  # fields of an item, all but its key and its place
 KINDS = ("holds, if ", "wrong: ", "holds")  # the verdicts, the longer beginning first
-
-
-def equation(left: sp.Basic, right: sp.Basic) -> sp.Eq:
-    """An equation as it is printed; SymPy does not ask whether it holds, which would take time."""
-    return sp.Eq(left, right, evaluate=False)
 
 
 @dataclass(frozen=True)
@@ -25,22 +22,22 @@ class Item:
 
     key : "eq. 1.1", "Table 1.3", "Fig. 1.2" or "claim A1.1"
     where : section and page of the report
+    notebook : the notebook that checks it
     says : what it says, in the course's own words, for the tables of the ledger
     printed : an ``sp.Eq`` or ``sp.Matrix``, an array of numbers, or True for a claim
-    notebook : the notebook that checks it
     verdict : "holds", "holds, if ..." or "wrong: ..." with what holds instead
     because : why what is printed cannot be as it stands; needed unless it holds
     meaning : what the symbols in ``printed`` stand for, where the report defines them elsewhere
     digits : decimals to which printed numbers are compared
-    condition : substitution under which an item holds that does not hold in general
-    right : what stands in place of an item that is wrong (a wrong claim is simply not true)
+    condition : substitution under which an item holds that does not hold in general; a claim has none
+    right : what stands in place of an item that is wrong; a claim is simply not true
     """
 
     key: str
     where: str
+    notebook: str
     says: str
     printed: sp.Basic | np.ndarray | bool
-    notebook: str
     verdict: str
     because: str = ""
     meaning: Mapping = field(default_factory=dict)
@@ -53,9 +50,11 @@ class Item:
             raise ValueError(f"{self.key}: a verdict begins with one of {KINDS}, not {self.verdict!r}.")
         if self.kind != "holds" and not self.because:
             raise ValueError(f"{self.key}: an item that does not hold says why.")
+        if self.printed is True:
+            return
         if self.kind == "holds, if" and self.condition is None:
             raise ValueError(f"{self.key}: an item that holds under a condition states it as a substitution.")
-        if self.kind == "wrong" and self.right is None and self.printed is not True:
+        if self.kind == "wrong" and self.right is None:
             raise ValueError(f"{self.key}: a wrong item says what is right.")
 
     @property
@@ -72,10 +71,43 @@ class Item:
         return side.subs(self.meaning).doit()
 
 
-def differs(printed: object, derived: object, digits: int | None = None) -> str:
+def formula(says: str, printed: sp.Basic, verdict: str = "holds", because: str = "", **more) -> Facts:
+    """An equation or a table of symbols; ``more`` may be its meaning, condition or right."""
+    return {"says": says, "printed": printed, "verdict": verdict, "because": because, **more}
+
+
+def numbers(
+    says: str, printed: ArrayLike, digits: int, verdict: str = "holds", because: str = "", **more
+) -> Facts:
+    """A table or a figure by its numbers, to so many ``digits``; ``more`` may be what is right."""
+    return formula(says, np.asarray(printed), verdict, because, digits=digits, **more)
+
+
+def claim(says: str, verdict: str = "holds", because: str = "") -> Facts:
+    """A sentence that can be true or false."""
+    return formula(says, True, verdict, because)
+
+
+def equation(left: sp.Basic, right: sp.Basic) -> sp.Eq:
+    """An equation as it is printed; SymPy does not ask whether it holds, which would take time."""
+    return sp.Eq(left, right, evaluate=False)
+
+
+def judged_otherwise(kind: str, found: object) -> str:
+    """How a claim was ``found`` other than ``kind`` says, as a clause; empty where they agree.
+
+    It is found true or not or, where it holds under a condition: whether as it stands, and under the condition.
+    """
+    truths = tuple(found) if isinstance(found, tuple) else (found,)
+    if not all(isinstance(truth, bool | np.bool_ | sp.logic.boolalg.BooleanAtom) for truth in truths):
+        raise InputError(f"A claim is checked by True or False, or by a pair of these, not by {found!r}.")
+    expected = {"holds": (True,), "holds, if": (False, True), "wrong": (False,)}[kind]
+    words = "it is " + ", and under a condition ".join(str(bool(truth)) for truth in truths)
+    return "" if tuple(map(bool, truths)) == expected else words
+
+
+def differs(printed: sp.Basic | np.ndarray, derived: object, digits: int | None = None) -> str:
     """How ``derived`` differs from ``printed``, as a clause; empty where they agree."""
-    if isinstance(printed, bool):
-        return _claims_differ(printed, derived)
     if isinstance(printed, np.ndarray):
         return _numbers_differ(printed, _numbers(derived), digits)
     return _expressions_differ(printed, derived)
@@ -85,12 +117,6 @@ def _numbers(derived: object) -> np.ndarray:
     """As an array of real or complex numbers; InputError where it is neither."""
     array = np.asarray(derived)
     return array if array.dtype.kind in "iufc" else reading.real(derived, "what was derived")
-
-
-def _claims_differ(printed: bool, derived: object) -> str:
-    if not isinstance(derived, bool | np.bool_ | sp.logic.boolalg.BooleanAtom):
-        raise InputError(f"A claim is checked by True or False, not by {derived!r}.")
-    return "" if bool(derived) == printed else f"it is {bool(derived)}"
 
 
 def _numbers_differ(printed: np.ndarray, derived: np.ndarray, digits: int) -> str:

@@ -8,9 +8,7 @@ import sympy as sp
 from sympy import cos, pi, sin
 
 from ...symbolic import DESIGN, POSE
-from . import part2_results
-from .item import Item, equation
-from .part2_results import NOTEBOOK
+from .item import Facts, equation, formula
 
 X_c, Y_c, alpha = POSE
 S_A, L, r_platform, *_ = DESIGN
@@ -29,79 +27,74 @@ AT_THE_ORIGIN = "it leaves out the base joint, as if all three motors were at th
 ANY_LENGTH = "base joint and platform joint may be anything from 40 to 300 mm apart, depending on the pose"
 
 
-def _item(number: int, says: str, printed: sp.Basic, verdict: str = "holds", because: str = "", **facts) -> Item:
-    where = "2.2, pp. 17-19" if number == 13 else "2.1, pp. 14-17"
-    return Item(f"eq. 2.{number}", where, says, printed, NOTEBOOK, verdict, because, **facts)
-
-
-def _from_the_base(number: int, e: sp.Symbol, says: str) -> Item:
+def _from_the_base(e: sp.Symbol, says: str) -> Facts:
     """One of (2.6) to (2.8)."""
     right = E[e].subs(FROM_THE_BASE, simultaneous=True)
-    verdict = "wrong: the platform joint is counted from the base joint, not from the origin"
-    return _item(number, says, equation(e, E[e]), verdict, AT_THE_ORIGIN, right=right)
+    verdict = "wrong: the platform joint has to be measured from the base joint, not from the origin"
+    return formula(says, equation(e, E[e]), verdict, AT_THE_ORIGIN, right=right)
 
 
-ITEMS = [
-    _item(
-        1,
-        "joint i of the platform",
-        equation(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
-        "wrong: by Table 2.2, which the numbers follow, every corner is 90 deg further round",
-        "its first corner is to the right of the centre, that of Table 2.2 above it",
-        meaning={R_BC: R},
-        right=r_platform * R * sp.Matrix([cos(CORNER + pi / 2), sin(CORNER + pi / 2)]) + C,
-    ),
-    _item(2, "how the platform is turned", equation(R_BC, R)),
-    _item(
-        3,
-        "x of the platform joint, along the two links of its leg",
-        equation(x_PP, S_A * cos(theta) + L * cos(psi)),
-        "wrong: the x of the base joint is to be added",
-        AT_THE_ORIGIN,
-        right=x_PB + S_A * cos(theta) + L * cos(psi),
-    ),
-    _item(
-        4,
-        "y of the platform joint, along the two links of its leg",
-        equation(y_PP, S_A * sin(theta) + L * sin(psi)),
-        "wrong: the y of the base joint is to be added",
-        AT_THE_ORIGIN,
-        right=y_PB + S_A * sin(theta) + L * sin(psi),
-    ),
-    _item(
-        5,
-        "what is L apart: base joint and platform joint",
-        APART,
-        "wrong: elbow and platform joint are; base joint and elbow are S_A apart",
-        ANY_LENGTH,
-        right=FROM_THE_ELBOW,
-    ),
-    _from_the_base(6, e_1, "factor of the sine in (2.9)"),
-    _from_the_base(7, e_2, "factor of the cosine in (2.9)"),
-    _from_the_base(8, e_3, "the term in (2.9) without theta"),
-    _item(
-        9,
-        "the closed leg as an equation for theta",
-        sp.Matrix([e_1 * sin(theta) + e_2 * cos(theta) + e_3]),
-        meaning=E,
-    ),
-    _item(10, "the same in t = tan(theta / 2)", sp.Matrix([(e_3 - e_2) * t**2 + 2 * e_1 * t + e_3 + e_2])),
-    _item(
-        11,
-        "its two roots",
-        equation(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
-        "holds, if e_3 is not e_2; there it is linear, with one root -e_3 / e_1, and the other angle is 180 deg",
-        "where e_3 = e_2 it divides by zero, and half of 180 deg has no tangent",
-        condition={equation(e_2, e_3): sp.false},
-    ),
-    _item(12, "theta from t", equation(theta, 2 * sp.atan(t))),
-    _item(
-        13,
-        "what is L apart: base joint and platform joint",
-        APART,
-        "wrong: elbow and platform joint are, as for (2.5)",
-        ANY_LENGTH,
-        right=FROM_THE_ELBOW,
-    ),
-    *part2_results.ITEMS,
-]
+NOTEBOOK = "Part2_parallel_robot"
+PRINTED = {
+    "2.1, pp. 14-17": {
+        "eq. 2.1": formula(
+            "joint i of the platform",
+            equation(sp.Matrix([x_PP, y_PP]), R_BC * r_platform * sp.Matrix([cos(CORNER), sin(CORNER)]) + C),
+            "wrong: by Table 2.2, which the numbers follow, every corner is 90 deg further round",
+            "its first corner is to the right of the centre, that of Table 2.2 above it",
+            meaning={R_BC: R},
+            right=r_platform * R * sp.Matrix([cos(CORNER + pi / 2), sin(CORNER + pi / 2)]) + C,
+        ),
+        "eq. 2.2": formula("the rotation matrix of the platform", equation(R_BC, R)),
+        "eq. 2.3": formula(
+            "x of the platform joint, along the two links of its leg",
+            equation(x_PP, S_A * cos(theta) + L * cos(psi)),
+            "wrong: the x of the base joint is to be added",
+            AT_THE_ORIGIN,
+            right=x_PB + S_A * cos(theta) + L * cos(psi),
+        ),
+        "eq. 2.4": formula(
+            "y of the platform joint, along the two links of its leg",
+            equation(y_PP, S_A * sin(theta) + L * sin(psi)),
+            "wrong: the y of the base joint is to be added",
+            AT_THE_ORIGIN,
+            right=y_PB + S_A * sin(theta) + L * sin(psi),
+        ),
+        "eq. 2.5": formula(
+            "base joint and platform joint are L apart",
+            APART,
+            "wrong: elbow and platform joint are; base joint and elbow are S_A apart",
+            ANY_LENGTH,
+            right=FROM_THE_ELBOW,
+        ),
+        "eq. 2.6": _from_the_base(e_1, "factor of the sine in (2.9)"),
+        "eq. 2.7": _from_the_base(e_2, "factor of the cosine in (2.9)"),
+        "eq. 2.8": _from_the_base(e_3, "the term in (2.9) without theta"),
+        "eq. 2.9": formula(
+            "that the leg closes, as an equation for theta",
+            sp.Matrix([e_1 * sin(theta) + e_2 * cos(theta) + e_3]),
+            meaning=E,
+        ),
+        "eq. 2.10": formula(
+            "the same in t = tan(theta / 2)", sp.Matrix([(e_3 - e_2) * t**2 + 2 * e_1 * t + e_3 + e_2])
+        ),
+        "eq. 2.11": formula(
+            "its two roots",
+            equation(t, (-e_1 + sign * ROOT) / (e_3 - e_2)),
+            "holds, if e_3 is not e_2; where they are equal, (2.10) is linear, its root is -e_3 / e_1, and the "
+            "other angle is 180 deg",
+            "where e_3 = e_2 it divides by zero, and half of 180 deg has no tangent",
+            condition={equation(e_2, e_3): sp.false},
+        ),
+        "eq. 2.12": formula("theta from t", equation(theta, 2 * sp.atan(t))),
+    },
+    "2.2, pp. 17-19": {
+        "eq. 2.13": formula(
+            "base joint and platform joint are L apart",
+            APART,
+            "wrong: elbow and platform joint are, as for (2.5)",
+            ANY_LENGTH,
+            right=FROM_THE_ELBOW,
+        ),
+    },
+}

@@ -4,12 +4,9 @@ import numpy as np
 import sympy as sp
 
 from ...symbolic import Q
-from . import a1
-from .item import Item, equation
+from .a1 import LINK, link
+from .item import claim, equation, formula, numbers
 
-NOTEBOOK = "Part3_singularity_avoidance"
-INTRODUCTION, METHOD = "3.1, pp. 20-21", "3.2, pp. 21-23"
-RESULTS, DISCUSSION = "3.3, pp. 23-24", "3.4, pp. 24-25"
 theta_1, theta_2, theta_3, theta_4 = ANGLES = Q[:4]
 
 TABLE_3_1 = sp.Matrix([[0, sp.pi / 2, 5, theta_1], [10, 0, 0, theta_2], [10, 0, 0, theta_3], [0, 0, 0, theta_4]])
@@ -21,7 +18,7 @@ Z_H, P_H, Z_I, P_I, P_END = (
 FRAME_I = dict(zip((*Z_H, *P_H), (*Z_I, *P_I), strict=True))
 
 # (3.3) in blocks, and what they are by the table: derivatives of the end's position, axes of the frames before.
-LINKS = [a1.LINK.subs(dict(zip(a1.ROW, TABLE_3_1.row(i), strict=True))) for i in range(4)]
+LINKS = [link(TABLE_3_1, i) for i in range(4)]
 FRAMES = [sp.eye(4), *(sp.prod(LINKS[1 : i + 1], LINKS[0]) for i in range(4))]
 LINEAR = [sp.MatrixSymbol(f"J_v{i}", 3, 1) for i in range(1, 5)]
 ANGULAR = [sp.MatrixSymbol(f"J_w{i}", 3, 1) for i in range(1, 5)]
@@ -30,118 +27,93 @@ AXES = {J: sp.ImmutableMatrix(T[:3, 2]) for J, T in zip(ANGULAR, FRAMES, strict=
 
 WAYPOINTS = np.array([[0, 0, 5], [10, 0, 10], [15, 5, 10]])
 
-
-def _claim(number: int, where: str, says: str, verdict: str = "holds", because: str = "") -> Item:
-    return Item(f"claim P3.{number}", where, says, True, NOTEBOOK, verdict, because)
-
-
-ITEMS = [
-    Item(
-        "eq. 3.1",
-        METHOD,
-        "the transform of one link from its row of Table 3.1",
-        equation(sp.MatrixSymbol("T_i", 4, 4), a1.LINK),
-        NOTEBOOK,
-        "holds",
-    ),
-    Item(
-        "eq. 3.2",
-        METHOD,
-        "the velocity (v, omega) of the end for a turn of joint i, from an axis z_i and a point p_i of it",
-        sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
-        NOTEBOOK,
-        "holds, if z_i and p_i belong to the axis that joint i turns about: in Table 3.1 that of frame i - 1",
-        "the axis of frame i is that of the next joint, and with it the columns are not the position's derivative",
-        condition=FRAME_I,
-    ),
-    Item(
-        "eq. 3.3",
-        METHOD,
-        "the whole Jacobian, a column for each joint",
-        equation(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
-        NOTEBOOK,
-        "holds",
-        meaning=RATES | AXES,
-    ),
-    Item("eq. 3.4", METHOD, "three waypoints; the arm reaches them", WAYPOINTS, NOTEBOOK, "holds", digits=6),
-    Item("Table 3.1", METHOD, "the DH table of a four-joint arm", TABLE_3_1, NOTEBOOK, "holds"),
-    Item(
-        "Fig. 3.1",
-        RESULTS,
-        "least and largest determinant, for theta_1 all round and the other angles 0",
-        np.array([-3.8e-14, 4.0e-14]),
-        NOTEBOOK,
-        "wrong: on the whole line it is 0",
-        "sin(theta_3) is a factor of it, and theta_3 is 0 throughout; what is drawn is rounding error",
-        digits=15,
-        right=np.zeros(2),
-    ),
-    Item("Fig. 3.2", RESULTS, "the waypoints, joined by two lines", WAYPOINTS, NOTEBOOK, "holds", digits=0),
-    _claim(
-        1,
-        INTRODUCTION,
-        "in a singular configuration a robot loses degrees of freedom",
-        "wrong: true of arms; the platform of a parallel robot gains one where the legs' wrenches are dependent",
-        "where the lines of its distal links meet, the platform can turn a little with all motors locked",
-    ),
-    _claim(2, INTRODUCTION, "where the determinant is zero, there are directions in which the end cannot move"),
-    _claim(3, METHOD, "the arm has four degrees of freedom"),
-    _claim(
-        4,
-        METHOD,
-        "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
-        "wrong: it is another matrix, whose determinant is zero in every posture",
-        "its entries differ from how the end moves when a joint turns a little, by up to 10.54 units per rad",
-    ),
-    _claim(
-        5,
-        METHOD,
-        "varying theta_1, with the other angles 0, shows which configurations are singular",
-        "wrong: all of these configurations are singular; theta_2 and theta_3 tell which others are",
-        "the determinant does not depend on theta_1, and theta_3 = 0 makes it zero",
-    ),
-    _claim(
-        6,
-        RESULTS,
-        "peaks and troughs of the determinant are the most and the least controllable configurations",
-        "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
-        "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077 units per rad",
-    ),
-    _claim(
-        7,
-        RESULTS,
-        "the trajectory is smooth",
-        "wrong: at the second waypoint its direction changes by 50.8 deg",
-        "two straight lines that meet at an angle make a corner, where the velocity jumps",
-    ),
-    _claim(
-        8,
-        RESULTS,
-        "the trajectory avoids singular configurations",
-        "wrong: it begins in one, at the shoulder, where the rank is 1",
-        "the first waypoint is reached only with theta_3 = 180 deg, where both factors of the determinant vanish",
-    ),
-    _claim(
-        9,
-        RESULTS,
-        "the plot of the determinant validates the trajectory",
-        "wrong: the plot says nothing about the trajectory",
-        "the plot is of straight postures, and the trajectory has none",
-    ),
-    _claim(
-        10,
-        DISCUSSION,
-        "the determinant of the position part may overlook singularities that have to do with orientation",
-        "wrong: for this arm it overlooks none, and reports more than there are",
-        "it is zero wherever sin(theta_3) is, and also on the base axis, where the four twists stay independent",
-    ),
-    _claim(11, DISCUSSION, "the whole Jacobian and a second-order criterion tell more than the determinant"),
-    _claim(
-        12,
-        DISCUSSION,
-        "the analysis rests on screw theory",
-        "wrong: it takes only the upper halves of the screws of joints 2 to 4, dependent in every posture",
-        "the halves are square to one common direction, wherever they are read; the whole screws are dependent "
-        "only where sin(theta_3) is 0",
-    ),
-]
+NOTEBOOK = "Part3_singularity_avoidance"
+PRINTED = {
+    "3.1, pp. 20-21": {
+        "claim P3.1": claim(
+            "in a singular configuration a robot loses degrees of freedom",
+            "wrong: true of arms; the platform of a parallel robot gains one where the legs' wrenches are "
+            "dependent",
+            "where the lines of its distal links meet, the platform can turn a little with all motors locked",
+        ),
+        "claim P3.2": claim("where the determinant is zero, there are directions in which the end cannot move"),
+    },
+    "3.2, pp. 21-23": {
+        "eq. 3.1": formula(
+            "the transform of one link from its row of Table 3.1", equation(sp.MatrixSymbol("T_i", 4, 4), LINK)
+        ),
+        "eq. 3.2": formula(
+            "the end's velocity (v, omega) for a unit rate of joint i, from an axis z_i and a point p_i on it",
+            sp.Matrix.vstack(Z_I.cross(P_END - P_I), Z_I),
+            "holds, if z_i and p_i belong to the axis that joint i turns about: in Table 3.1 that of frame i - 1",
+            "the axis of frame i is that of the next joint, with which the columns are not the position's "
+            "derivative",
+            condition=FRAME_I,
+        ),
+        "eq. 3.3": formula(
+            "the whole Jacobian, a column for each joint",
+            equation(sp.MatrixSymbol("J", 6, 4), sp.BlockMatrix([LINEAR, ANGULAR])),
+            meaning=RATES | AXES,
+        ),
+        "eq. 3.4": numbers("three waypoints; the arm reaches them", WAYPOINTS, 6),
+        "Table 3.1": formula("the DH table of a four-joint arm", TABLE_3_1),
+        "claim P3.3": claim("the arm has four degrees of freedom"),
+        "claim P3.4": claim(
+            "the Jacobian of Fig. 3.1 is derived from the forward kinematics",
+            "wrong: it is another matrix, whose determinant is zero in every posture",
+            "its entries differ from how the end moves when a joint turns a little, by up to 10.54 units per rad",
+        ),
+        "claim P3.5": claim(
+            "varying theta_1, with the other angles 0, shows which configurations are singular",
+            "wrong: all of these configurations are singular; theta_2 and theta_3 tell which others are",
+            "the determinant does not depend on theta_1, and theta_3 = 0 makes it zero",
+        ),
+    },
+    "3.3, pp. 23-24": {
+        "Fig. 3.1": numbers(
+            "least and largest determinant, for a full turn of theta_1 with the other angles at 0",
+            np.array([-3.8e-14, 4.0e-14]),
+            15,
+            "wrong: on the whole line it is 0",
+            "sin(theta_3) is a factor of it, and theta_3 is 0 throughout; what is drawn is rounding error",
+            right=np.zeros(2),
+        ),
+        "Fig. 3.2": numbers("the waypoints, joined by two lines", WAYPOINTS, 0),
+        "claim P3.6": claim(
+            "peaks and troughs of the determinant are the most and the least controllable configurations",
+            "wrong: the determinant has a sign; at troughs and peaks its magnitude is the same",
+            "the Jacobian has the same singular values at both: 18.510, 16.383 and 5.077 units per rad",
+        ),
+        "claim P3.7": claim(
+            "the trajectory is smooth",
+            "wrong: at the second waypoint its direction changes by 50.8 deg",
+            "two straight lines that meet at an angle make a corner, where the velocity jumps",
+        ),
+        "claim P3.8": claim(
+            "the trajectory avoids singular configurations",
+            "wrong: it begins in one, at the shoulder, where the rank is 1",
+            "the first waypoint is reached only with theta_3 = 180 deg, where both factors of the determinant are "
+            "0",
+        ),
+        "claim P3.9": claim(
+            "the plot of the determinant validates the trajectory",
+            "wrong: the plot says nothing about the trajectory",
+            "the plot is of straight postures, and the trajectory has none",
+        ),
+    },
+    "3.4, pp. 24-25": {
+        "claim P3.10": claim(
+            "the determinant of the position part may overlook singularities that have to do with orientation",
+            "wrong: for this arm it overlooks none, and reports more than there are",
+            "it is zero wherever sin(theta_3) is, and on the base axis too, where the four twists stay "
+            "independent",
+        ),
+        "claim P3.11": claim("the whole Jacobian and a second-order criterion tell more than the determinant"),
+        "claim P3.12": claim(
+            "the analysis rests on screw theory",
+            "wrong: it takes only the upper halves of the screws of joints 2 to 4, dependent in every posture",
+            "the halves are perpendicular to one direction, about whichever point they are taken; the whole "
+            "screws are dependent only where sin(theta_3) is 0",
+        ),
+    },
+}

@@ -5,6 +5,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyBboxPatch, Polygon
+from numpy.typing import ArrayLike
 
 from .. import rrr
 
@@ -14,24 +15,24 @@ HOLE, EDGE = 1.5, 7  # radius of a hole, and how much card is left about its cen
 STYLE = {"facecolor": "none", "edgecolor": "black", "linewidth": 1}
 
 
-def card(theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> Figure:
-    """A page at a quarter of the size: base, platform, three driven and three distal links, with their holes.
+def card(theta: ArrayLike) -> Figure:
+    """A page of ``rrr.RRR`` at a quarter of its size: base, platform, driven and distal links, with their holes.
 
     The base has holes for the elbows, too, at motor angles ``theta``, (3,) in radians: fastened there, the motors
     are locked.
 
-    >>> fig = card(np.deg2rad([257.07, 17.07, 137.07]))
+    >>> fig = drawing.card(np.deg2rad([257.07, 17.07, 137.07]))
     >>> len(fig.axes[0].patches)  # eight outlines and 22 holes
     30
     """
     fig = plt.figure(figsize=tuple(PAGE / 25.4), layout="none")
     ax = fig.add_axes((0, 0, 1, 1), xlim=(0, PAGE[0]), ylim=(0, PAGE[1]))
     ax.axis("off")
-    base, elbows = SCALE * rrr.base_joints(geometry), SCALE * rrr.elbows(theta, geometry)
-    joints = SCALE * rrr.platform_joints([0, 0, 0], geometry)
+    base, elbows = SCALE * rrr.base_joints(), SCALE * rrr.elbows(theta)
+    joints = SCALE * rrr.platform_joints([0, 0, 0])
     _plate(ax, "base", np.concatenate([base, elbows]) + [105, 75], _legs("PB") + _legs("M"))
     _plate(ax, "platform", np.concatenate([joints, np.zeros((1, 2))]) + [60, 205], [*_legs("PP"), "$C$"])
-    for name, length, bottom in (("driven", geometry.S_A, 180), ("distal", geometry.L, 228)):
+    for name, length, bottom in (("driven", rrr.RRR.S_A, 180), ("distal", rrr.RRR.L, 228)):
         for leg in range(3):
             _link(ax, name, np.array([120, bottom + 16 * leg]), SCALE * length)
     ax.plot([150, 200], [22, 22], color="black", linewidth=1)

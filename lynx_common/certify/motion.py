@@ -1,40 +1,39 @@
-"""Bounds that hold between samples: proofs that a quantity stays above a minimum along a motion.
-
-Nothing here knows a robot or an obstacle. The quantity is a function of joint angles, with a known Lipschitz
-constant.
-"""
+"""Proofs along a motion, by a known Lipschitz constant and bisection."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .errors import InputError
-from .reading import real
+from ..errors import InputError
+from ..reading import finite, number, real
 
 EPS = np.finfo(float).eps
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What ``along`` found.
+    """What ``along`` or ``over`` found.
 
     verdict : "certified", "refuted" or "undecided".
-    bound : a lower bound of f that is proven all along, whatever the verdict.
-    evaluations : how many values of f were asked for.
-    witness : joint angles, (m,), where f is below the minimum; None unless refuted.
+    bound : a lower bound of the quantity that is proven everywhere, whatever the verdict.
+    evaluations : how many values or bounds of it were asked for.
+    witness : a place, (n,), where it is below the minimum; None unless refuted.
+    boxes : (k, n, 2), the boxes into which ``over`` has cut the one that it was given; with ``along`` none.
     """
 
     verdict: str
     bound: float
     evaluations: int
     witness: np.ndarray | None
+    boxes: np.ndarray = field(default_factory=lambda: np.empty((0, 0, 2)), repr=False)
 
 
 def along(
     f: Callable[[np.ndarray], np.ndarray],
     lipschitz: float,
-    q: np.ndarray,
+    q: ArrayLike,
     minimum: float = 0.0,
     budget: int = 100_000,
     rounding: float = 1e-12,
@@ -63,39 +62,39 @@ def along(
     Undecided where the budget is spent, or f touches the minimum within rounding. Raises InputError where q, a
     value of f, or one of the numbers is not real and finite, or ``lipschitz`` or ``rounding`` is negative. Source:
     the lower bound of Piyavskii and Shubert, by bisection.
+
+    >>> height = lambda q: 1.5 - np.cos(q[:, 0])
+    >>> along(height, lipschitz=1, q=[[-1], [2]], minimum=0.4).verdict, along(height, 1, [[-1], [2]], 0.6).verdict
+    ('certified', 'refuted')
     """
-    q = _samples(q, lipschitz, minimum, rounding)
+    lipschitz, rounding = number(lipschitz, "Lipschitz constant", least=0), number(rounding, "rounding", least=0)
+    minimum, q = number(minimum, "minimum"), _samples(q)
     start, change = (q, 0 * q) if len(q) == 1 else (q[:-1], np.diff(q, axis=0))
     reach = lipschitz * np.linalg.norm(change, axis=1)  # how far f may change along a segment
     slack = rounding + 8 * EPS * lipschitz * np.linalg.norm(q, axis=1).max()
     segment, middle, half = _first_pieces(len(start))
-    verdict, proven, left, evaluations = "certified", np.inf, -np.inf, 0
+    proven, open_bound, evaluations = np.inf, -np.inf, 0
     while len(segment):
         if evaluations + len(segment) > budget:
-            return Certificate("undecided", float(min(proven, left)), evaluations, None)
+            return Certificate("undecided", float(min(proven, open_bound)), evaluations, None)
         at = start[segment] + middle[:, None] * change[segment]
-        (low, high), change_to_end = _values(f, at, slack), reach[segment] * half
+        low, high = _values(f, at, slack)
         evaluations += len(at)
+        change_to_end = reach[segment] * half
         bound = low - change_to_end
         if high.min() < minimum:
             return Certificate("refuted", float(min(proven, bound.min())), evaluations, at[high.argmin()])
-        short = bound < minimum
-        halve = short & (change_to_end > slack)  # below the slack halving does not help
-        verdict = "undecided" if (short & ~halve).any() else verdict
-        proven, left = (min(x, bound[part].min(initial=np.inf)) for x, part in ((proven, ~halve), (np.inf, halve)))
-        segment, middle, half = (np.repeat(x[halve], 2) for x in (segment, middle, half / 2))
-        middle += half * np.tile([-1, 1], len(half) // 2)
-    return Certificate(verdict, float(proven), evaluations, None)
+        halve = (bound < minimum) & (change_to_end > slack)  # below the slack halving does not help
+        proven = min(proven, bound[~halve].min(initial=np.inf))  # of the pieces that are done with
+        open_bound = bound[halve].min(initial=np.inf)  # of those that are left
+        segment, middle, half = _halves(segment[halve], middle[halve], half[halve])
+    return Certificate("certified" if proven >= minimum else "undecided", float(proven), evaluations, None)
 
 
-def _samples(q: np.ndarray, lipschitz: float, minimum: float, rounding: float) -> np.ndarray:
-    q = real(q, "joint angles")
-    if q.ndim != 2 or not q.size or not np.isfinite(q).all():
-        raise InputError(f"Finite joint angles are expected, (n, m) with n >= 1; shape {q.shape} was given.")
-    lipschitz, minimum, rounding = real([lipschitz, minimum, rounding], "Lipschitz constant, minimum and rounding")
-    if not (0 <= lipschitz < np.inf and np.isfinite(minimum) and 0 <= rounding < np.inf):
-        given = f"{lipschitz:g}, {minimum:g} and {rounding:g} were given"
-        raise InputError(f"Lipschitz constant, minimum and rounding are finite, the first and last >= 0; {given}.")
+def _samples(q: ArrayLike) -> np.ndarray:
+    q = finite(q, "the samples of a motion", None, None)
+    if not q.size:
+        raise InputError(f"A motion has a sample and a joint at least; one of shape {q.shape} was given.")
     return q
 
 
@@ -104,15 +103,25 @@ def _first_pieces(segments: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
     The last two are shares of the segment: sums of powers of 1/2, so exact.
     """
-    number = np.arange(segments)
-    segment = np.concatenate([number, number[-1:], number])
+    each = np.arange(segments)
+    segment = np.concatenate([each, each[-1:], each])
     return segment, np.repeat([0, 1, 0.5], [segments, 1, segments]), np.repeat([0, 0.5], [segments + 1, segments])
+
+
+def _halves(
+    segment: np.ndarray, middle: np.ndarray, half: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The first and the second half of each piece, as such pieces."""
+    middles = np.stack([middle - half / 2, middle + half / 2], axis=1)
+    return np.repeat(segment, 2), middles.ravel(), np.repeat(half / 2, 2)
 
 
 def _values(f: Callable[[np.ndarray], np.ndarray], q: np.ndarray, slack: float) -> tuple[np.ndarray, np.ndarray]:
     """Between which values, (k,) each, f lies at q, (k, m)."""
-    value = real(f(q), "the quantity").reshape(len(q))
-    if (bad := ~np.isfinite(value)).any():
-        raise InputError(f"The quantity is {value[bad][0]} at q = {q[bad][0].tolist()}.")
+    value = real(f(q), "the quantity")
+    if value.shape != (len(q),):
+        raise InputError(f"f(q) must return one number a posture, shape ({len(q)},); its shape is {value.shape}.")
+    for i in np.flatnonzero(~np.isfinite(value)):
+        raise InputError(f"The quantity is {value[i]} at q = {q[i].tolist()}.")
     doubt = slack + 4 * EPS * np.abs(value)
     return value - doubt, value + doubt

@@ -1,35 +1,33 @@
-"""The tree that RRT* grows, in preallocated arrays."""
-
-from dataclasses import dataclass
+"""The tree of postures that RRT* grows."""
 
 import numpy as np
 
 START, GOAL = 0, 1  # their rows
 
 
-@dataclass(frozen=True)
 class Tree:
-    """What was searched.
+    """Postures that are reached from a start; the goal is in it from the beginning, at infinite cost.
 
     q : (n, m), postures; start and goal are the first two.
-    parent : (n,), the row of the one that each is reached from; -1 for the start.
+    parent : (n,), the row of the one that each is reached from; -1 for the start, and where it is not reached yet.
     cost : (n,), the joint travel from the start to each.
+
+    While it grows the arrays have room for ``capacity`` postures, of which the first ``size`` are there; ``trim``
+    cuts off the rest.
+
+    >>> tree = Tree(start=[0.0, 0.0], goal=[2.0, 0.0], capacity=3)
+    >>> tree.attach(GOAL, tree.add([1.0, 0.0], START, 1.0), 1.0)
+    >>> tree.cost
+    array([0., 2., 1.])
     """
 
-    q: np.ndarray
-    parent: np.ndarray
-    cost: np.ndarray
-
-
-class Growing:
-    """A tree that grows. The goal is in it from the beginning, at infinite cost until it is attached."""
-
     def __init__(self, start: np.ndarray, goal: np.ndarray, capacity: int):
-        self.q, self.squared = np.empty((capacity, len(start))), np.full(capacity, np.inf)
-        self.parent, self.cost, self.edge = np.full(capacity, -1), np.full(capacity, np.inf), np.zeros(capacity)
-        self.children = [[], []]
-        self.q[START], self.q[GOAL] = start, goal
-        self.cost[START], self.squared[START], self.size = 0, start @ start, 2
+        self.q, self.parent = np.empty((capacity, len(start))), np.full(capacity, -1)
+        self.cost, self.edge = np.full(capacity, np.inf), np.zeros(capacity)
+        self.squared = np.full(capacity, np.inf)  # |q|^2 of what is reached
+        self.children: list[list[int]] = [[], []]
+        self.q[START], self.q[GOAL], self.size = start, goal, 2
+        self.cost[START], self.squared[START] = 0, self.q[START] @ self.q[START]
 
     def add(self, q: np.ndarray, parent: int, edge: float) -> int:
         """A new posture, reached from ``parent`` by a line of length ``edge``; returns its row."""
@@ -52,7 +50,7 @@ class Growing:
             stack += self.children[below]
 
     def near(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Rows of the k nearest postures that are attached, and their distances."""
+        """Rows of the nearest k > e (1 + 1/m) log n postures that are reached, and their distances."""
         n, m = self.size, len(q)
         k = min(n, int(np.e * (1 + 1 / m) * np.log(n)) + 1)
         order = self.squared[:n] - 2 * (self.q[:n] @ q)  # squared distances, but for a constant
@@ -60,15 +58,14 @@ class Growing:
         near = near[np.isfinite(self.cost[near])]
         return near, np.linalg.norm(self.q[near] - q, axis=1)
 
-    def distance_left(self) -> float:
-        attached = np.isfinite(self.cost)
-        return float(np.linalg.norm(self.q[attached] - self.q[GOAL], axis=1).min())
-
-    def path(self) -> np.ndarray:
+    def to_goal(self) -> np.ndarray:
+        """The postures, (n, m), that lead from the start to the goal."""
         rows = [GOAL]
         while rows[-1] != START:
             rows.append(self.parent[rows[-1]])
         return self.q[rows[::-1]]
 
-    def frozen(self) -> Tree:
-        return Tree(*(values[: self.size].copy() for values in (self.q, self.parent, self.cost)))
+    def trim(self) -> None:
+        """Cut off the room in which nothing has grown."""
+        for name in ("q", "parent", "cost", "edge", "squared"):
+            setattr(self, name, getattr(self, name)[: self.size])

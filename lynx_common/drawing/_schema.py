@@ -6,11 +6,10 @@ And two schemas beside it: one link in general, and the triangle that the invers
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc
-from matplotlib.patheffects import withStroke
 
 from .. import arm, dh
-from .arm import arm_side_view
-from .style import COLOURS
+from ._arm import arm_side_view
+from ._style import COLOURS, OUTLINE
 
 # The pose drawn: upper arm raised, forearm lowered, gripper level.
 POSE = np.pi / 180 * np.array([0, 50, -75, 115, 0])
@@ -25,27 +24,32 @@ VIEW = np.stack([RIGHT, UP], axis=1)
 ANGLE_OFFSETS = ((-32, -6), (-36, -8), (-6, -32), (-22, -30), (22, 14))
 
 
-def dh_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
-    """The arm as a chain of five joints, with the frames 0, 1, 2, 3 and 5 of Table 1.2 and its four lengths."""
-    T, points = arm.link_frames(POSE, geometry), arm.joint_positions(POSE, geometry)
-    size = sum(geometry) / 0.6
+def dh_schema(ax: Axes) -> Axes:
+    """The arm as a chain of five joints, with the frames 0, 1, 2, 3 and 5 of Table 1.2 and its four lengths.
+
+    >>> ax = drawing.dh_schema(plt.figure().gca())
+    """
+    T, points = arm.link_frames(POSE), arm.joint_positions(POSE)
     ax.plot(*(points @ VIEW).T, color="black", linewidth=4, zorder=1)
     for i, axis_frame in enumerate(T[:5]):
         # Joint i turns about z of the frame before it; the fifth is set a little along the gripper's axis.
-        at = axis_frame[:3, 3] + (0.25 * geometry.L_3 if i == 4 else 0) * axis_frame[:3, 2]
-        _cylinder(ax, at, axis_frame[:3, 2], 0.015 * size)
+        at = axis_frame[:3, 3] + (0.25 * arm.LYNX.L_3 if i == 4 else 0) * axis_frame[:3, 2]
+        _cylinder(ax, at, axis_frame[:3, 2], 0.015)
         ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
     for i in (0, 1, 2, 3, 5):
-        _triad(ax, T[i], 0.05 * size, i)
+        _triad(ax, T[i], 0.05, str(i))
     sides = (0.07, 0.075, 0.085, -0.055)  # of the line between the joints, clear of the frames
     for name, start, end, side in zip(("d_1", "L_1", "L_2", "L_3"), points[:-1], points[1:], sides, strict=True):
-        _dimension(ax, start @ VIEW, end @ VIEW, side * size, f"${name}$")
+        _dimension(ax, start @ VIEW, end @ VIEW, side, f"${name}$")
     return _bare(ax)
 
 
-def wrist_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
-    """How frame 3 becomes frame 5: turned about z_3 by theta_4, tipped about x_4, moved along z_4 by L_3."""
-    T = arm.link_frames(POSE, geometry)
+def wrist_schema(ax: Axes) -> Axes:
+    """How frame 3 becomes frame 5: turned about z_3 by theta_4, tipped about x_4, moved along z_4 by L_3.
+
+    >>> ax = drawing.wrist_schema(plt.figure().gca())
+    """
+    T = arm.link_frames(POSE)
     words = (
         "frame 3\n$x_3$ along\nthe forearm",
         "frame 4\n$\\theta_4$ about $z_3$,\n90° about $x_4$",
@@ -54,13 +58,17 @@ def wrist_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
     for i, text in zip((3, 4, 5), words, strict=True):
         frame = T[i].copy()
         frame[:3, 3] = (i - 3) * 0.2 * RIGHT
-        _triad(ax, frame, 0.09, i)
-        ax.text(*(frame[:3, 3] @ VIEW + [0.02, -0.09]), text, ha="center", va="top")
+        _triad(ax, frame, 0.09, str(i))
+        x, y = frame[:3, 3] @ VIEW
+        ax.text(x + 0.02, y - 0.09, text, ha="center", va="top")
     return _bare(ax)
 
 
 def link_schema(ax: Axes) -> Axes:
-    """One link in general: how theta, d, a and alpha lead from frame i-1 to frame i; report eq. (1.1)."""
+    """One link in general: how theta, d, a and alpha lead from frame i-1 to frame i; report eq. (1.1).
+
+    >>> ax = drawing.link_schema(plt.figure().gca())
+    """
     a, alpha, d, theta = 0.36, 0.55, 0.24, 0.5
     end = np.array(dh.standard(dh.Row(a, alpha, d, theta)), float)
     tip, z, x_before, x = end[:3, 3], np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), end[:3, 0]
@@ -81,18 +89,20 @@ def link_schema(ax: Axes) -> Axes:
     return _bare(ax)
 
 
-def triangle_schema(ax: Axes, geometry: arm.Geometry = arm.LYNX) -> Axes:
-    """The triangle of shoulder, elbow and wrist from the side, with its sides and the angles of its two joints."""
+def triangle_schema(ax: Axes) -> Axes:
+    """The triangle of shoulder, elbow and wrist from the side, with its sides and the angles of its two joints.
+
+    >>> ax = drawing.triangle_schema(plt.figure().gca())
+    """
     q = np.pi / 180 * np.array([0, 75, -70, 65, 0])
-    _, shoulder, elbow, wrist, _ = arm.joint_positions(q, geometry)[:, [0, 2]]
-    arm_side_view(ax, q, geometry)
+    _, shoulder, elbow, wrist, _ = arm.joint_positions(q)[:, [0, 2]]
+    arm_side_view(ax, q)
     below_wrist, beyond_elbow = np.array([wrist[0], shoulder[1]]), 1.4 * elbow - 0.4 * shoulder
     dotted = [shoulder, below_wrist, wrist], [elbow, beyond_elbow]
     for corners, line in (([shoulder, wrist], "--"), (dotted[0], ":"), (dotted[1], ":")):
         ax.plot(*np.transpose(corners), line, color=COLOURS["aid"])
-    size = sum(geometry)
     for at, start, end in ((shoulder, 0, 75), (elbow, 5, 75)):
-        ax.add_patch(Arc(at, 0.15 * size, 0.15 * size, theta1=start, theta2=end))
+        ax.add_patch(Arc(at, 0.09, 0.09, theta1=start, theta2=end))
     names = {
         "$r_{wrist}$": ((shoulder + below_wrist) / 2, (0, -16)),
         "$h$": ((below_wrist + wrist) / 2, (12, 0)),
@@ -120,7 +130,8 @@ def _angle(
     _polyline(ax, centre + arc, color="black", linewidth=1)
     head = {"arrowstyle": "-|>", "color": "black", "linewidth": 1, "shrinkA": 0, "shrinkB": 0}
     ax.annotate("", (centre + arc[30]) @ VIEW, xytext=(centre + arc[27]) @ VIEW, arrowprops=head)
-    ax.text(*((centre + 1.2 * arc[15]) @ VIEW), name, ha="center", va="center", fontsize=13)
+    x, y = (centre + 1.2 * arc[15]) @ VIEW
+    ax.text(x, y, name, ha="center", va="center", fontsize=13)
 
 
 def _bare(ax: Axes) -> Axes:
@@ -131,15 +142,17 @@ def _bare(ax: Axes) -> Axes:
     return ax
 
 
-def _triad(ax: Axes, T: np.ndarray, length: float, index: int) -> None:
+def _triad(ax: Axes, T: np.ndarray, length: float, index: str) -> None:
     origin = T[:3, 3] @ VIEW
     for i, axis in enumerate("xyz"):
         tip = (T[:3, 3] + length * T[:3, i]) @ VIEW
         arrow = {"arrowstyle": "-|>", "color": COLOURS[axis], "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", tip, xytext=origin, arrowprops=arrow, zorder=5)
         beyond = origin + 1.22 * (tip - origin)
-        name = ax.text(*beyond, f"${axis}_{index}$", color=COLOURS[axis], ha="center", va="center", zorder=6)
-        name.set_path_effects([withStroke(linewidth=3, foreground="white")])
+        name = ax.text(
+            beyond[0], beyond[1], f"${axis}_{index}$", color=COLOURS[axis], ha="center", va="center", zorder=6
+        )
+        name.set_path_effects(OUTLINE)
         ax.update_datalim([origin, beyond])
 
 
@@ -161,6 +174,7 @@ def _dimension(ax: Axes, start: np.ndarray, end: np.ndarray, offset: float, text
     direction = (end - start) / np.linalg.norm(end - start)
     shift = offset * np.array([-direction[1], direction[0]])
     line = {"arrowstyle": "|-|,widthA=0.25,widthB=0.25", "color": COLOURS["aid"], "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", end + shift, xytext=start + shift, arrowprops=line)
-    ax.text(*((start + end) / 2 + 1.5 * shift), text, ha="center", va="center", fontsize=13)
+    (x_0, y_0), (x_1, y_1), (x, y) = start + shift, end + shift, (start + end) / 2 + 1.5 * shift
+    ax.annotate("", (x_1, y_1), xytext=(x_0, y_0), arrowprops=line)
+    ax.text(x, y, text, ha="center", va="center", fontsize=13)
     ax.update_datalim([start + 1.8 * shift, end + shift])

@@ -1,15 +1,18 @@
 """The planar 3-RRR robot: base, platform and three legs, in mm; a leg that does not close shows its gap."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.patheffects import withStroke
+from numpy.typing import ArrayLike
 
 from .. import rrr
-from .style import COLOURS
+from ..reading import real
+from ._style import COLOURS, OUTLINE
 
 # What is drawn, from back to front, and how.
-STYLES = {
+STYLES: dict[str, dict[str, Any]] = {
     "base": {"color": COLOURS["link"], "linestyle": "-", "marker": "s", "markersize": 9, "linewidth": 1.5},
     "gap": {"color": COLOURS["printed"], "linestyle": "--", "linewidth": 2},
     "distal link $L$": {"color": COLOURS["y"], "linestyle": "-", "marker": "o"},
@@ -21,31 +24,40 @@ STYLES = {
 CLOSED = 1e-6
 # In one line through everything, from PB_1: where joints 0 to 2 are PB, 3 to 5 M, 6 to 8 PP, and 9 is the needle.
 ALONG = [0, 3, 6, 7, 4, 1, 4, 7, 8, 5, 2, 5, 8, 6, 9]
-OUTLINE = [withStroke(linewidth=3, foreground="white")]
 
 
 def rrr_2d(
-    ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR, **style
-) -> list[Artist]:
+    ax: Axes, pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR, **style: Any
+) -> list[Any]:
     """The robot at ``pose`` (X_c, Y_c in mm, alpha in rad) with motor angles ``theta``, (3,); returns its artists.
 
     All links are drawn at their lengths. Where the distal one, pointing at its platform joint, ends elsewhere, the
     gap (short or beyond) is dashed, with its length. A leg whose angle is NaN is drawn stretched towards its
     platform joint, or folded, whichever comes nearer. ``style`` goes to all lines; ``ax.legend()`` names them.
+
+    >>> pose, ax = [20, 30, 0.3], plt.figure().gca()
+    >>> artists = drawing.rrr_2d(ax, pose, rrr.inverse_kinematics(pose)[0])
     """
-    artists = [
-        ax.plot([], [], **{"markersize": 5, "label": name} | own | style)[0] for name, own in STYLES.items()
-    ]
-    place = {"color": COLOURS["link"], "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8}, "zorder": 6}
-    artists += [ax.text(0, 0, "", **place) for _ in range(3)]
+    style = {"markersize": 5} | style
+    lines = [ax.plot([], [], **own | style, label=name)[0] for name, own in STYLES.items()]
+    place: dict[str, Any] = {
+        "color": COLOURS["link"],
+        "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8},
+        "zorder": 6,
+    }
+    artists = [*lines, *(ax.text(0, 0, "", **place) for _ in range(3))]
     move_rrr(artists, pose, theta, geometry)
     ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
     ax.relim()
     return artists
 
 
-def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
-    """Bring a drawn robot to another pose and other motor angles."""
+def move_rrr(artists: Sequence[Any], pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> None:
+    """Bring a drawn robot to another pose and other motor angles.
+
+    >>> artists = drawing.rrr_2d(plt.figure().gca(), [0, 0, 0], [0, 2, 4])
+    >>> drawing.move_rrr(artists, [0, 0, 0.5], [0, 2, 4])
+    """
     PB, M, ends, PP = joints(pose, theta, geometry)
     gaps = np.linalg.norm(PP - ends, axis=1)
     is_open = gaps > CLOSED * geometry.L
@@ -63,7 +75,7 @@ def move_rrr(artists: list[Artist], pose: np.ndarray, theta: np.ndarray, geometr
 
 
 def _write_gaps(
-    texts: list[Artist], ends: np.ndarray, PP: np.ndarray, gaps: np.ndarray, geometry: rrr.Geometry
+    texts: Sequence[Any], ends: np.ndarray, PP: np.ndarray, gaps: np.ndarray, geometry: rrr.Geometry
 ) -> None:
     """The size of each gap that is not 0, beside it, on the side away from the middle of the platform."""
     middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
@@ -78,23 +90,31 @@ def _write_gaps(
         )
 
 
-def rrr_outline(pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
+def rrr_outline(pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
     """One line through all links, round the platform and to the needle, for each of n poses, (n, 15, 3).
 
     ``pose`` (mm, mm, rad) is (n, 3), ``theta`` (rad) that or (3,). The line is in metres, at the height 0, as
     ``course.player`` takes it.
+
+    >>> pose = [[0, 0, 0], [10, 0, 0.1]]
+    >>> drawing.rrr_outline(pose, rrr.inverse_kinematics(pose)[:, 0]).shape
+    (2, 15, 3)
     """
+    pose = real(pose, "a pose", None, 3)
     PP = rrr.platform_joints(pose, geometry)
     fixed, elbows = rrr.base_joints(geometry), rrr.elbows(theta, geometry)
     PB, M = (np.broadcast_to(points, PP.shape) for points in (fixed, elbows))
-    points = np.concatenate([PB, M, PP, np.asarray(pose)[:, None, :2]], axis=1) / 1000
+    points = np.concatenate([PB, M, PP, pose[:, None, :2]], axis=1) / 1000
     return np.insert(points[:, ALONG], 2, 0, axis=-1)
 
 
-def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry = rrr.RRR) -> None:
-    """Write the names of all joints, and of the needle C, beside them."""
+def label_rrr(ax: Axes, pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> None:
+    """Write the names of all joints, and of the needle C, beside them.
+
+    >>> drawing.label_rrr(plt.figure().gca(), [0, 0, 0], rrr.inverse_kinematics([0, 0, 0])[0])
+    """
     PB, M, _, PP = joints(pose, theta, geometry)
-    middle, needle = np.mean(PB, axis=0), np.asarray(pose)[:2]
+    middle, needle = np.mean(PB, axis=0), real(pose, "a pose", 3)[:2]
     for name, points, centre, shift in (("PB", PB, middle, 20), ("M", M, middle, 14), ("PP", PP, needle, -22)):
         for leg, point in enumerate(points, start=1):
             away = (point - centre) / np.linalg.norm(point - centre)
@@ -103,10 +123,11 @@ def label_rrr(ax: Axes, pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geome
 
 
 def joints(
-    pose: np.ndarray, theta: np.ndarray, geometry: rrr.Geometry
+    pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Base joints, elbows, free ends of the distal links, and platform joints, (3, 2) each."""
     PB, PP = rrr.base_joints(geometry), rrr.platform_joints(pose, geometry)
+    theta = real(theta, "motor angles", 3)
     M = rrr.elbows(np.where(np.isnan(theta), _reaching(PB, PP, geometry), theta), geometry)
     return PB, M, M + geometry.L * _unit(PP - M), PP
 
@@ -130,5 +151,6 @@ def _segments(start: np.ndarray, end: np.ndarray) -> np.ndarray:
 
 
 def _write(ax: Axes, text: str, point: np.ndarray, offset: np.ndarray) -> None:
-    label = ax.annotate(text, point, xytext=offset, textcoords="offset points", ha="center", va="center")
+    (x, y), (dx, dy) = point, offset
+    label = ax.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", ha="center", va="center")
     label.set_path_effects(OUTLINE)

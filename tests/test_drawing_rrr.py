@@ -1,8 +1,11 @@
 """The picture of the 3-RRR robot shows links at their lengths, and gaps where a leg does not close."""
 
+from itertools import combinations
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.path import Path
 
 from lynx_common import drawing, rrr
 from lynx_common.drawing._rrr import STYLES
@@ -182,3 +185,42 @@ def test_one_line_for_locked_motors_is_that_with_their_angles_repeated(rng):
 
 def same(edge, step):
     return np.allclose(edge, step, atol=1e-9)
+
+
+def test_on_the_printed_card_holes_are_at_a_quarter_of_the_robots_distances():
+    """Measured on paper, in mm; fastened at the base, too, the elbows stand as the locked motors hold them."""
+    theta = np.deg2rad([257.07, 17.07, 137.07])
+    fig = drawing.card(theta)
+    (ax,) = fig.axes
+    on_paper = {"base": [], "platform": [], "driven": [], "distal": []}
+    for patch in ax.patches:
+        if patch.get_label().endswith(" hole"):
+            pixel = ax.transData.transform(patch.center)
+            on_paper[patch.get_label().removesuffix(" hole")].append(pixel / fig.dpi * 25.4)
+    quarter = {part: 4 * np.array(holes) for part, holes in on_paper.items()}
+    for part, length in (("driven", rrr.RRR.S_A), ("distal", rrr.RRR.L)):
+        links = quarter[part].reshape(3, 2, 2)
+        np.testing.assert_allclose(np.linalg.norm(links[:, 1] - links[:, 0], axis=-1), length)
+    base, platform = quarter["base"] - quarter["base"][:3].mean(axis=0), quarter["platform"]
+    np.testing.assert_allclose(base, np.concatenate([rrr.base_joints(), rrr.elbows(theta)]), atol=1e-9)
+    np.testing.assert_allclose(platform[:3] - platform[3], rrr.platform_joints([0, 0, 0]), atol=1e-9)
+    np.testing.assert_allclose(fig.get_size_inches() * 25.4, [210, 297])
+    plt.close(fig)
+
+
+def test_every_hole_of_the_card_is_in_its_part_and_parts_do_not_touch():
+    fig = drawing.card(np.deg2rad([257.07, 17.07, 137.07]))
+    outlines, holes = {}, []
+    for patch in fig.axes[0].patches:
+        path = patch.get_path().transformed(patch.get_patch_transform()).to_polygons()[0]
+        if patch.get_label().endswith("hole"):
+            holes.append((patch.get_label().split()[0], path))
+        else:
+            outlines.setdefault(patch.get_label(), []).append(Path(path))
+    for part, hole in holes:
+        assert any(outline.contains_points(hole).all() for outline in outlines[part])
+    parts = [outline for some in outlines.values() for outline in some]
+    assert len(parts) == 8
+    assert not any(a.intersects_path(b) for a, b in combinations(parts, 2))
+    assert all(((outline.vertices > 5) & (outline.vertices < [205, 275])).all() for outline in parts)
+    plt.close(fig)

@@ -43,6 +43,15 @@ def test_a_figure_of_the_report_has_a_number(number, fig):
             call()
 
 
+def test_a_figure_of_the_courses_own_has_a_name(fig, shown, monkeypatch, tmp_path):
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    monkeypatch.setenv("LYNX_FIGURE", "card")
+    figures.publish(fig, "card", "Cut out.")
+    assert shown[1].data == "**Card.** Cut out."
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fig-card.pdf", "fig-card.png", "fig-card.svg"]
+    assert not figures.is_called("card", "car")
+
+
 def test_files_are_written_where_make_figures_asks_and_are_the_same_each_time(fig, shown, monkeypatch, tmp_path):
     monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")

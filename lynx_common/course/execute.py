@@ -82,7 +82,7 @@ def update_notebooks() -> int:
 def published(path: Path) -> list[str]:
     """Numbers of the figures that the notebook's cells publish."""
     source = "\n".join(cell.source for cell in code_cells(nbformat.read(path, as_version=4)))
-    return re.findall(r"""figures\.publish\(\s*\w+,\s*["'](\d+\.\d+\w*)["']""", source)
+    return re.findall(r"""figures\.publish\(\s*\w+,\s*["'](\d+\.\d+\w*|[a-z]+)["']""", source)
 
 
 def needed_for(name: str, catalogue: dict[Path, list[str]]) -> tuple[list[Path], dict[str, str]]:

@@ -19,20 +19,23 @@ from ..errors import InputError
 def publish(fig: Figure, number: str, caption: str = "") -> None:
     """Show ``fig`` as figure ``number`` of the report, e.g. "1.2", and save it where ``make figures`` asks for it.
 
+    A figure of the course's own has a name in place of the number, in small letters, e.g. "card".
+
     ``make figures`` names the folder in LYNX_FIGURES and may name one figure in LYNX_FIGURE. The files are
     fig-1.2.pdf, .svg and .png (300 dots an inch); they hold no date, so that they can be compared. Raises
-    InputError where ``number`` is no number of a figure.
+    InputError where ``number`` is neither.
     """
     if stem := _stem(number):
         fig.savefig(f"{stem}.pdf", dpi=300, metadata={"CreationDate": None})
         fig.savefig(f"{stem}.svg", dpi=300, metadata={"Date": None})
         fig.savefig(f"{stem}.png", dpi=300)
-    show(fig, f"**Fig. {number}.** {caption}".rstrip())
+    heading = f"Fig. {number}" if number[0].isdigit() else number.capitalize()
+    show(fig, f"**{heading}.** {caption}".rstrip())
 
 
 def is_called(number: str, name: str) -> bool:
     """Whether figure ``number`` is meant by ``name``; 1.3 means all of 1.3a to 1.3d."""
-    return name in (number, number.rstrip("abcdefgh"))
+    return name in (number, re.sub(r"(?<=\d)[a-h]$", "", number))
 
 
 def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, seconds: float = 6) -> None:
@@ -53,8 +56,8 @@ def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, se
 
 def _stem(number: str) -> Path | None:
     """Where files of figure ``number`` belong, without a suffix; None where they are not asked for."""
-    if not re.fullmatch(r"\d\.\d+[a-h]?", number):
-        raise InputError(f"A figure has a number, such as 1.2 or 1.3a; {number!r} was given.")
+    if not re.fullmatch(r"\d\.\d+[a-h]?|[a-z]+", number):
+        raise InputError(f"A figure has a number, such as 1.2 or 1.3a, or a name, such as card; {number!r} was given.")
     folder = os.environ.get("LYNX_FIGURES")
     wanted = folder and is_called(number, os.environ.get("LYNX_FIGURE", number))
     return Path(folder) / f"fig-{number}" if wanted else None

@@ -15,6 +15,7 @@ from ._arm import (
     move,
     target,
 )
+from ._card import card
 from ._region import cloud, region_2d, region_path, squares
 from ._rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
 from ._scene import ball_3d, determinant_map, screw_3d, tree_2d

@@ -132,9 +132,7 @@ PRINTED = {
             "its boundary is one closed line at every whole degree, without a second one for a void",
         ),
         "claim P2.8": claim(
-            "the voids correspond to singular configurations",
-            "wrong: singular is the edge of a circle alone, where the leg is folded",
-            "within a circle the leg has no angle, so there is no configuration that could be singular",
+            "the voids are singular configurations, or points where the inverse kinematics has no real solution"
         ),
         "claim P2.9": claim(
             "with alpha the workspace shifts",

@@ -69,13 +69,6 @@ def test_exp_keeps_all_digits_at_small_angles(angle, rng):
     np.testing.assert_allclose(screws.exp(twist), series(hat(twist)), rtol=0, atol=4e-15)
 
 
-def test_hat_makes_the_velocities_of_points(rng):
-    twist, point = rng.normal(size=(4, 6)), rng.normal(size=(4, 3))
-    velocity = (hat(twist) @ np.append(point, np.ones((4, 1)), axis=1)[..., None])[..., 0]
-    np.testing.assert_allclose(velocity[:, :3], twist[:, :3] + np.cross(twist[:, 3:], point), atol=1e-14)
-    np.testing.assert_array_equal(velocity[:, 3], 0)
-
-
 def test_a_unit_screw_turns_about_its_axis_and_advances_by_its_pitch(rng):
     """Points of the axis slide along it; all others go round it by the angle, at an unchanged distance."""
     axis, point = unit(rng, 50), rng.normal(size=(50, 3))

@@ -88,25 +88,19 @@ def link_schema(ax: Axes) -> Axes:
     _angle(ax, tip, 0.17, z, np.cross(x, z), alpha, r"$\alpha$")
     for name, middle in (("$d$", foot / 2), ("$a$", (foot + tip) / 2)):
         ax.annotate(name, middle @ VIEW, xytext=(-20, 10), textcoords="offset points", fontsize=13)
-    marked = (
-        (1, -0.06 * z, (16, 0)),
-        (1, tip + 0.26 * end[:3, 2], (16, -4)),
-        (2, (3 * foot + tip) / 4, (-8, 18)),
-        (3, tip, (18, -20)),
-        (4, tip + 0.1 * end[:3, 1], (-26, -4)),
-    )
-    circle = {"boxstyle": "circle", "facecolor": "white", "edgecolor": COLOURS["link"]}
-    for step, place, offset in marked:
-        ax.annotate(
-            str(step),
-            place @ VIEW,
-            xytext=offset,
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            bbox=circle,
-        )
+    _step(ax, 1, -0.06 * z, (16, 0))
+    _step(ax, 1, tip + 0.26 * end[:3, 2], (16, -4))
+    _step(ax, 2, (3 * foot + tip) / 4, (-8, 18))
+    _step(ax, 3, tip, (18, -20))
+    _step(ax, 4, tip + 0.1 * end[:3, 1], (-26, -4))
     return _bare(ax)
+
+
+def _step(ax: Axes, number: int, place: np.ndarray, offset: tuple[float, float]) -> None:
+    """The number of a step in a circle, ``offset`` points beside its place."""
+    circle = {"boxstyle": "circle", "facecolor": "white", "edgecolor": COLOURS["link"]}
+    where: Any = {"xytext": offset, "textcoords": "offset points", "ha": "center", "va": "center"}
+    ax.annotate(str(number), place @ VIEW, **where, bbox=circle)
 
 
 def triangle_schema(ax: Axes) -> Axes:

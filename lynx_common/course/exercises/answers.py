@@ -11,6 +11,7 @@ from itertools import islice
 from math import prod
 from numbers import Number
 from operator import add, mul
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -140,11 +141,11 @@ def _value(x: object, samples: Mapping[str, np.ndarray]) -> np.ndarray:
     raise _Fault(f"{given or f'an object of type {type(x).__name__:.40}'} was given")
 
 
-def _number(x: object) -> np.complex128:
+def _number(x: Any) -> np.ndarray:
     try:
-        return np.complex128(complex(x))
+        return np.array(complex(x))
     except OverflowError:
-        return np.complex128(np.inf)
+        return np.array(complex(np.inf))
 
 
 def _evaluated(x: sp.Basic, samples: Mapping[str, np.ndarray]) -> np.ndarray:
@@ -179,8 +180,13 @@ def _choice(*pairs: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
     return np.select(conditions, np.broadcast_arrays(*(value for value, _ in pairs)), np.nan)
 
 
-CONSTANTS = {sp.I: np.complex128(1j), sp.zoo: np.complex128(np.nan), sp.true: np.True_, sp.false: np.False_}
-FUNCTIONS = {
+CONSTANTS: dict[Any, Any] = {
+    sp.I: np.complex128(1j),
+    sp.zoo: np.complex128(np.nan),
+    sp.true: np.True_,
+    sp.false: np.False_,
+}
+FUNCTIONS: dict[Any, Callable] = {
     sp.Add: lambda *terms: reduce(add, terms),
     sp.Mul: lambda *factors: reduce(mul, factors),
     sp.Pow: np.power,

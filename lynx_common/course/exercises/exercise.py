@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import permutations, product
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -73,7 +74,7 @@ class Exercise:
     unit: ArrayLike = ""
     counts: Callable[[np.ndarray], np.ndarray] = np.asarray
     period: ArrayLike = 0.0
-    parts: Mapping[str, object] = field(default_factory=lambda: {"": ...})
+    parts: Mapping[str, Any] = field(default_factory=lambda: {"": ...})
     choices: tuple[float, ...] = ()
     also: tuple = ()
 

@@ -3,6 +3,8 @@
 And two schemas beside it: one link in general, and the triangle that the inverse kinematics solves.
 """
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc

@@ -49,7 +49,12 @@ class Record:
 
 
 def length(name: str, value: Any, unit: str, zero: bool = False) -> float:
-    """A length of a robot, longer than zero unless it may be ``zero``; GeometryError otherwise."""
+    """A length of a robot, longer than zero unless it may be ``zero``; GeometryError otherwise.
+
+    >>> length("L_1", sp.Integer(2) / 10, "metres")
+    Traceback (most recent call last):
+    lynx_common.errors.GeometryError: Geometry: L_1 is 1/5; a length is a real number of metres.
+    """
     if not isinstance(value, int | float | np.number) or isinstance(value, bool | np.complexfloating):
         raise GeometryError(name, value, f"a length is a real number of {unit}")
     if not (np.isfinite(value) and (value > 0 or (zero and value == 0))):
@@ -78,7 +83,11 @@ def real(x: ArrayLike, name: str, *shape: int | None) -> np.ndarray:
 
 
 def batch(x: ArrayLike, symbols: Sequence[sp.Symbol]) -> np.ndarray:
-    """``x`` as float64, (..., n): one value a symbol on its last axis; InputError otherwise."""
+    """``x`` as float64, (..., n): one value a symbol on its last axis; InputError otherwise.
+
+    >>> batch([[1, 2], [3, 4]], sp.symbols("x y")).shape
+    (2, 2)
+    """
     x = real(x, named(tuple(symbols)))
     if x.ndim == 0 or x.shape[-1] != len(symbols):
         names = named(tuple(symbols))
@@ -89,7 +98,12 @@ def batch(x: ArrayLike, symbols: Sequence[sp.Symbol]) -> np.ndarray:
 
 
 def finite(x: ArrayLike, name: str, *shape: int | None) -> np.ndarray:
-    """``x`` as float64 of exactly this shape, None being any length, all of it finite; InputError otherwise."""
+    """``x`` as float64 of exactly this shape, None being any length, all of it finite; InputError otherwise.
+
+    >>> finite([1, 2, np.nan], "a position", 3)
+    Traceback (most recent call last):
+    lynx_common.errors.InputError: Finite numbers are expected for a position; [1.0, 2.0, nan] was given.
+    """
     array = real(x, name)
     if array.ndim != len(shape) or any(want not in (None, n) for n, want in zip(array.shape, shape, strict=True)):
         given = shortened(x) if array.ndim < 2 else f"an array of shape {array.shape}"
@@ -125,7 +139,12 @@ def number(
 
 
 def whole(x: Any, name: str, least: int, most: int) -> int:
-    """``x`` as a whole number from ``least`` to ``most``; InputError otherwise."""
+    """``x`` as a whole number from ``least`` to ``most``; InputError otherwise.
+
+    >>> whole(2.5, "branch", 0, 3)
+    Traceback (most recent call last):
+    lynx_common.errors.InputError: The branch is a whole number from 0 to 3; 2.5 was given.
+    """
     if isinstance(x, bool) or not isinstance(x, int | np.integer) or not least <= x <= most:
         raise InputError(f"The {name} is a whole number from {least} to {most}; {shortened(x)} was given.")
     return int(x)
@@ -165,13 +184,20 @@ def _objects(array: np.ndarray) -> Iterator[object]:
 
 
 def shortened(x: Any) -> str:
-    """``x`` as text that fits into a sentence."""
+    """``x`` as text that fits into a sentence.
+
+    >>> shortened(np.arange(3))
+    '[0, 1, 2]'
+    """
     text = repr(x.tolist() if isinstance(x, np.ndarray) and x.size < 100 else x)
     return " ".join((text if len(text) <= 80 else f"{text[:77]}...").split())
 
 
 def warn_of_degrees(angles: np.ndarray, name: str, most: float = TWO_TURNS) -> None:
-    """Warn where an angle is larger than ``most`` radians; the warning points to the line outside the package."""
+    """Warn where an angle is larger than ``most`` radians; the warning points to the line outside the package.
+
+    >>> warn_of_degrees(np.array([3.0]), "theta")  # says nothing
+    """
     if not angles.size or not max(np.fmax.reduce(angles, axis=None), -np.fmin.reduce(angles, axis=None)) > most:
         return
     for angle in angles[(np.abs(angles) > most) & np.isfinite(angles)][:1]:
@@ -183,7 +209,11 @@ def warn_of_degrees(angles: np.ndarray, name: str, most: float = TWO_TURNS) -> N
 
 
 def limits(x: ArrayLike, joints: int | None = None) -> np.ndarray:
-    """Lower and upper limit of each joint as float64, (joints, 2); InputError unless finite and none reversed."""
+    """Lower and upper limit of each joint as float64, (joints, 2); InputError unless finite and none reversed.
+
+    >>> limits([[-1, 1], [0, 2]]).shape
+    (2, 2)
+    """
     x = finite(x, "limits, a lower and an upper one a joint", joints, 2)
     if (x[:, 0] > x[:, 1]).any():
         joint = int((x[:, 0] > x[:, 1]).argmax())
@@ -194,7 +224,12 @@ def limits(x: ArrayLike, joints: int | None = None) -> np.ndarray:
 
 
 def pose(T: ArrayLike) -> np.ndarray:
-    """``T`` as poses (..., 4, 4); those that hold NaN or infinity become NaN, InputError where one is no pose."""
+    """``T`` as poses (..., 4, 4); those that hold NaN or infinity become NaN, InputError where one is no pose.
+
+    >>> pose(2 * np.eye(4))
+    Traceback (most recent call last):
+    lynx_common.errors.InputError: A pose is expected: a rotation, a position, and the row 0 0 0 1; it is off by 7.
+    """
     T = real(T, "a pose", 4, 4)
     T = np.where(np.isfinite(T).all(axis=(-2, -1), keepdims=True), T, np.nan)
     R = T[..., :3, :3]
@@ -213,6 +248,9 @@ def formulas(x: Any, name: str = "The expression") -> sp.ImmutableDenseMatrix:
     """A formula, or lists, a tuple, an array or a matrix of them, as a matrix (m, n); a list is a column.
 
     Raises InputError for text, for what is no formula, and where there is none, or a third axis.
+
+    >>> formulas([sp.Symbol("x"), 1]).shape
+    (2, 1)
     """
     if isinstance(x, sp.MatrixExpr):
         x = x.as_explicit()

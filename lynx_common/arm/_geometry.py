@@ -46,7 +46,11 @@ SERVO_LIMITS.setflags(write=False)
 
 
 def dh_table() -> list[dh.Row]:
-    """The five rows of the standard (distal) DH table in the symbols Q and P; report Table 1.2."""
+    """The five rows of the standard (distal) DH table in the symbols Q and P; report Table 1.2.
+
+    >>> print(dh_table()[0])
+    Row(a=0, alpha=pi/2, d=d_1, theta=theta_1)
+    """
     theta_1, theta_2, theta_3, theta_4, theta_5 = Q
     d_1, L_1, L_2, L_3 = P
     return [

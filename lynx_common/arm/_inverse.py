@@ -85,7 +85,11 @@ def _column(x: ArrayLike, name: str) -> np.ndarray | tuple[float]:
 
 
 def out_of_reach(task: ArrayLike, geometry: Geometry) -> tuple[float, float, float]:
-    """Distance of the wrist from the shoulder, the least and the largest that the links reach, for one task."""
+    """Distance of the wrist from the shoulder, the least and the largest that the links reach, for one task.
+
+    >>> [round(length, 4) for length in out_of_reach([0, 0.6, 0.1, 0, 0], LYNX)]
+    [0.5, 0.0, 0.4]
+    """
     distance, nearest, farthest = _reach(task, geometry).tolist()
     return distance, nearest, farthest
 

@@ -21,7 +21,7 @@ LARGEST_SEARCH = 10**9  # bytes
 STRETCHED = 1e-6
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Followed:
     """Joint angles along a path of n samples, and where it cannot be followed.
 
@@ -37,6 +37,9 @@ class Followed:
     allowed: np.ndarray
     continuous: np.ndarray
     failure: PathError | None
+
+    def __repr__(self) -> str:
+        return f"<{len(self.q)} samples: {self.failure or 'all followed'}>"
 
     @property
     def ok(self) -> bool:

@@ -67,6 +67,9 @@ def assemble(theta: ArrayLike, near: ArrayLike, geometry: Geometry = RRR) -> np.
     Distance is that in the plane, with alpha times r_platform as the third coordinate. Raises SelfMotionError
     where the motor angles do not fix the pose, NoPoseError where none closes, and InputError for anything but
     three finite motor angles and one finite pose.
+
+    >>> assemble(np.deg2rad([-136.277, -16.277, 103.723]), near=[0, 0, 1]).round(2) + 0.0
+    array([0.  , 0.  , 1.24])
     """
     theta, near = reading.finite(theta, "the motor angles", 3), reading.finite(near, "a pose", 3)
     if self_motion(theta, geometry):

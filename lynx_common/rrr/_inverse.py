@@ -65,6 +65,9 @@ def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.nda
 
     Raises AssemblyError, which names each leg that cannot close and by how much it misses, and InputError for a
     mode that there is not, or anything but one finite pose.
+
+    >>> np.rad2deg(solve([0, 0, 0], mode=7)).round(3)  # all legs bent to the right
+    array([-43.723,  76.277, 196.277])
     """
     mode = reading.whole(mode, "working mode", 0, len(WORKING_MODES) - 1)
     pose = reading.finite(pose, "a pose", 3)

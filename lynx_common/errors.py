@@ -30,7 +30,11 @@ def _short(number: str) -> str:
 
 
 def in_degrees(angles: Iterable[float]) -> str:
-    """Angles in radians as text, in degrees to two decimals."""
+    """Angles in radians as text, in degrees to two decimals.
+
+    >>> in_degrees([0.0, 1.5707963])
+    '0.00, 90.00'
+    """
     return ", ".join(f"{degrees(angle):z.2f}" for angle in angles)
 
 

@@ -20,7 +20,11 @@ REACH_TOLERANCE = 1e-9
 
 @cache
 def frames() -> list[sp.Matrix]:
-    """Poses of the frames 0 to 5 in the base frame; report eq. (1.2), its partial products."""
+    """Poses of the frames 0 to 5 in the base frame; report eq. (1.2), its partial products.
+
+    >>> frames()[1][:3, 3].T  # the shoulder
+    Matrix([[0, 0, d_1]])
+    """
     return [sp.eye(4), *map(tidy, dh.chain(dh_table()))]
 
 
@@ -110,7 +114,11 @@ def joint_angles() -> sp.Matrix:
 
 @cache
 def both_elbows() -> sp.Matrix:
-    """Elbow up and elbow down as rows, (2, 5), in TASK and P; NaN where the links do not reach."""
+    """Elbow up and elbow down as rows, (2, 5), in TASK and P; NaN where the links do not reach.
+
+    >>> both_elbows().shape
+    (2, 5)
+    """
     distance, nearest, farthest = reach()
     slack = REACH_TOLERANCE * farthest
     reached = sp.And(distance >= nearest - slack, distance <= farthest + slack)
@@ -136,7 +144,11 @@ def front() -> sp.Matrix:
 
 @cache
 def branches() -> sp.Matrix:
-    """The rows of BRANCHES, (4, 5), wrapped into (-pi, pi], in XYZ, pitch and roll, and P."""
+    """The rows of BRANCHES, (4, 5), wrapped into (-pi, pi], in XYZ, pitch and roll, and P.
+
+    >>> branches().shape
+    (4, 5)
+    """
     facing = both_elbows().xreplace(dict(zip(TASK[:3], front()[:3], strict=True)))
     # The shoulder turned half round makes the same shape, seen from behind: what was up stays up.
     back = [

@@ -67,7 +67,7 @@ def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.nda
     mode that there is not, or anything but one finite pose.
 
     >>> np.rad2deg(solve([0, 0, 0], mode=7)).round(3)  # all legs bent to the right
-    array([-43.723,  76.277, 196.277])
+    array([ -43.723,   76.277, -163.723])
     """
     mode = reading.whole(mode, "working mode", 0, len(WORKING_MODES) - 1)
     pose = reading.finite(pose, "a pose", 3)

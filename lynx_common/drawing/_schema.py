@@ -3,8 +3,6 @@
 And two schemas beside it: one link in general, and the triangle that the inverse kinematics solves.
 """
 
-from typing import Any
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc
@@ -134,7 +132,7 @@ def _number_steps(ax: Axes, foot: np.ndarray, end: np.ndarray) -> None:
     )
     style = {"boxstyle": "circle", "facecolor": "white", "edgecolor": COLOURS["link"]}
     for step, place, offset in marked:
-        text = ax.annotate(str(step), place @ VIEW, xytext=offset, textcoords="offset points", bbox=style)
+        text = ax.annotate(str(step), tuple(place @ VIEW), xytext=offset, textcoords="offset points", bbox=style)
         text.set(ha="center", va="center")
 
 

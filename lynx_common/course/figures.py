@@ -57,7 +57,7 @@ def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, se
 def _stem(number: str) -> Path | None:
     """Where files of figure ``number`` belong, without a suffix; None where they are not asked for."""
     if not re.fullmatch(r"\d\.\d+[a-h]?|[a-z]+", number):
-        raise InputError(f"A figure has a number, such as 1.2 or 1.3a, or a name, such as card; {number!r} was given.")
+        raise InputError(f"A figure has a number, as 1.2 or 1.3a, or a name, as card; {number!r} was given.")
     folder = os.environ.get("LYNX_FIGURES")
     wanted = folder and is_called(number, os.environ.get("LYNX_FIGURE", number))
     return Path(folder) / f"fig-{number}" if wanted else None

@@ -46,7 +46,7 @@ def forward_kinematics(theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray
         rows are NaN where no pose closes, and where the platform can move with the motors locked
         (``self_motion``), even if there are isolated poses besides.
 
-    Source: notebook Part2, section 7.
+    Source: notebook Part2, section 5.
 
     >>> poses = forward_kinematics(np.deg2rad([-136.277, -16.277, 103.723]))
     >>> int(np.isfinite(poses[:, 0]).sum())  # of the six rows so many hold a pose

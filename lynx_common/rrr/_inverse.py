@@ -40,7 +40,7 @@ def inverse_kinematics(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
         Angles in [-pi, pi], one row per entry of ``WORKING_MODES``. An entry is NaN where its leg cannot close.
         Where PP_i = PB_i (possible if S_A = L) any angle closes, and 0 is given.
 
-    Source: report eqs. (2.3) to (2.12), with the base joints put back; notebook Part2, sections 2 and 4.
+    Source: report eqs. (2.3) to (2.12), with the base joints put back; notebook Part2, section 2.
 
     >>> np.rad2deg(inverse_kinematics([0, 0, 0]))[0].round(3)  # in the middle, all legs bent to the left
     array([-136.277,  -16.277,  103.723])

@@ -37,7 +37,7 @@ def jacobians(pose: ArrayLike, theta: ArrayLike, geometry: Geometry = RRR) -> tu
     B : array, shape (..., 3, 3)
         Diagonal, with (M_i - PB_i) x (PP_i - M_i), in mm^2.
 
-    Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 8.
+    Source: Gosselin and Angeles 1990 (they write A x_dot + B theta_dot = 0); notebook Part2, section 6.
 
     >>> A, B = jacobians([0, 0, 0], np.deg2rad([-136.277, -16.277, 103.723]))
     >>> np.diagonal(B).round() + 0.0  # all three legs bent alike

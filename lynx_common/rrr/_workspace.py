@@ -24,7 +24,7 @@ def constant_orientation_workspace(alpha: float, geometry: Geometry = RRR) -> ar
     Leg i allows the centre a ring about PB_i - R(alpha) r_i, from |S_A - L| to S_A + L, with r_i the
     platform's joint seen from its centre. The workspace is what the three rings have in common; it may be empty.
 
-    Raises InputError unless alpha is one finite number. Source: notebook Part2, section 5.
+    Raises InputError unless alpha is one finite number. Source: notebook Part2, section 4.
 
     >>> round(constant_orientation_workspace(0.0).area)  # mm^2
     64786

@@ -102,7 +102,7 @@ def _arm_from_the_side(
 def rrr_page(geometry: rrr.Geometry = rrr.RRR) -> HTML:
     """Sliders for the platform's pose and for the side to which each leg bends; the legs, or why one cannot close.
 
-    The formulas are those of ``rrr.inverse_kinematics``: notebook Part2, sections 2 and 4.
+    The formulas are those of ``rrr.inverse_kinematics``: notebook Part2, section 2.
     """
     lines = [
         Line(_closed(base_joints()), COLOURS["link"], 1.5),

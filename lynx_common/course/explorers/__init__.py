@@ -7,6 +7,7 @@ The pages (``arm_page`` and its like) need no kernel: they move on the static si
 
 from .arm import arm_explorer
 from .detour import detour_explorer
+from .joints import joints_and_frames
 from .limits import limits_explorer
 from .motion import motion_explorer
 from .pages import arm_page, reach_page, rrr_page
@@ -18,6 +19,7 @@ __all__ = [
     "arm_explorer",
     "arm_page",
     "detour_explorer",
+    "joints_and_frames",
     "limits_explorer",
     "motion_explorer",
     "parallel_explorer",

@@ -9,7 +9,7 @@ from IPython.display import HTML
 from ... import arm
 from ...arm import formulas
 from ...symbolic import TASK, WRIST, XYZ, P, Q
-from ..stage import Body, Challenge, Choice, Handle, Slider, Space, Words, stage
+from ..stage import Body, Challenge, Choice, Handle, Slider, Space, Words, largest, least, stage
 from .solids import NAMES, arm_in_space, axes_of, values_of
 
 HOME_DEG = (60, 45, -30, 60, 30)  # report Table 1.3
@@ -31,8 +31,8 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     starts = ["T₀₅ ", *[4 * " "] * 3]
     rows = [f"{start}{{}} {{}} {{}} {{}}" for start in starts]
     words = [Words(row, list(frames[4][i, :]), columns=True) for i, row in enumerate(rows)]
-    words.append(Words("gripper at{},{},{} m", list(tip)))
-    down = sp.Min(0.03 * size - sp.sqrt((tip - star).dot(tip - star)), -sp.sin(formulas.pitch()) - sp.cos(sp.pi / 18))
+    words.append(Words("gripper at {}, {}, {} m", list(tip)))
+    down = least(0.03 * size - sp.sqrt((tip - star).dot(tip - star)), -sp.sin(formulas.pitch()) - sp.cos(sp.pi / 18))
     r = formulas.task_coordinates()[1]
     challenges = [
         Challenge("Bring the gripper to the ball with the fork pointing down.", "At the ball, pointing down.", down),
@@ -64,7 +64,7 @@ def grip(tip: sp.Matrix) -> Handle:
     wrist = dict(zip(WRIST, formulas.wrist().xreplace(at_finger), strict=True))
     angles = formulas.joint_angles().xreplace({formulas.SIGMA: bend} | wrist).xreplace(at_finger)
     distance, nearest, farthest = (bound.xreplace(wrist) for bound in formulas.reach())
-    out = sp.Max(distance - farthest, nearest - distance)
-    text = "Out of reach: the wrist would be{} m from the shoulder; the links reach from{} to{} m."
+    out = largest(distance - farthest, nearest - distance)
+    text = "Out of reach: the wrist would be {} m from the shoulder; the links reach from {} to {} m."
     reason = Words(text, [distance, nearest, farthest], when=out - 1e-9)
     return Handle(tip.T, XYZ, dict(zip(Q, angles, strict=True)), [reason])

@@ -7,7 +7,7 @@ import sympy as sp
 
 from ...arm import formulas
 from ...symbolic import P, Q
-from ..stage import ALWAYS, Body, Line
+from ..stage import ALWAYS, Body, Line, least
 
 NAMES = [f"θ{i}" for i in "₁₂₃₄₅"]
 DEGREES = 180 / sp.pi
@@ -70,7 +70,7 @@ def circle(centre: Sequence[sp.Expr], radius: sp.Expr, colour: str, **style) -> 
 
 def room(distance: sp.Expr, one: sp.Expr, other: sp.Expr) -> sp.Expr:
     """Not negative where two links of these lengths can span the distance."""
-    return sp.Min((one + other) * (1 + ROUNDING) - distance, distance - (1 - ROUNDING) * sp.Abs(one - other))
+    return least((one + other) * (1 + ROUNDING) - distance, distance - (1 - ROUNDING) * sp.Abs(one - other))
 
 
 def about(angle: sp.Expr, middle: sp.Expr) -> sp.Expr:

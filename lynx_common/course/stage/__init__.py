@@ -21,7 +21,7 @@ from .parts import (
     Words,
     before,
 )
-from .script import javascript
+from .script import javascript, largest, least, magnitude
 
 __all__ = [
     "ALWAYS",
@@ -38,5 +38,8 @@ __all__ = [
     "Words",
     "before",
     "javascript",
+    "largest",
+    "least",
+    "magnitude",
     "stage",
 ]

@@ -1,5 +1,5 @@
 // Where things stand, and what follows from a drag: pure functions of numbers, without a page.
-const RAD = Math.PI / 180, MINUS = "\u2212", FIGURE_SPACE = "\u2007";
+const RAD = Math.PI / 180, MINUS = "\u2212";
 
 // A plane view in so many pixels: equal scales, as large as fits. place: data to [x, y, depth, pixels per unit].
 function plane({low, high}, width, height) {
@@ -16,7 +16,7 @@ function plane({low, high}, width, height) {
 // A view in space, seen from afar with some perspective; turn and tilt in degrees.
 function space({centre, radius}, width, height, turn, tilt) {
   const [c, s, C, S] = [Math.cos(turn * RAD), Math.sin(turn * RAD), Math.cos(tilt * RAD), Math.sin(tilt * RAD)];
-  const far = 4.5 * radius, scale = 0.5 * Math.min(0.95 * width, 1.04 * height) / radius;
+  const far = 4.5 * radius, scale = Math.min(0.475 * width, 0.64 * height) / radius;
   const axes = p => {
     const [x, y, z] = p.map((v, i) => v - centre[i]), away = x * s + y * c;
     return [x * c - y * s, z * C + away * S, away * C - z * S];
@@ -38,16 +38,30 @@ function space({centre, radius}, width, height, turn, tilt) {
 // What is farther is drawn first.
 const ordered = solids => solids.sort((a, b) => b.depth - a.depth);
 
-// Which of the items are to be drawn, with their points; none where a number is missing.
-function pointsOf(item, numbers, curve, trail) {
-  if (!(numbers[item.when] >= 0)) return null;
+// The points of an item in runs, each without a gap: a curve ends where a number is missing, all else is not drawn.
+function runsOf(item, numbers, curve, trail) {
+  if (!(numbers[item.when] >= 0)) return [];
   let flat = numbers.slice(item.points[0], item.points[0] + item.points[1]);
   if (item.along) {
     const [which, first, last, pieces] = item.along;
     flat = Array.from({length: pieces + 1}, (_, i) => curve(which, first + (last - first) * i / pieces)).flat();
   } else if (item.trail) flat = trail(item);
-  if (!flat.length || !flat.every(Number.isFinite)) return null;
-  return Array.from({length: flat.length / item.size}, (_, i) => flat.slice(i * item.size, (i + 1) * item.size));
+  const points = Array.from({length: flat.length / item.size}, (_, i) => flat.slice(i * item.size, (i + 1) * item.size)), runs = [[]];
+  for (const point of points) {
+    if (point.every(Number.isFinite)) runs[runs.length - 1].push(point);
+    else if (item.along) runs.push([]);
+    else return [];
+  }
+  return runs.filter(run => run.length);
+}
+
+// Where f changes its sign between two points; halved, since it may jump or bend there.
+function cut(f, a, b, positive) {
+  for (let i = 0; i < 6; i++) {
+    const m = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+    if (f(...m) >= 0 === positive) a = m; else b = m;
+  }
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }
 
 // The region where f(a, b) >= 0 as polygons, and its border as pieces, on a grid of cells.
@@ -63,12 +77,9 @@ function contour(f, low, high, columns, rows) {
     if (full || i === columns || !v.every(Number.isFinite)) continue;
     const polygon = [], cuts = [];
     corners.forEach((corner, k) => {
-      const next = (k + 1) % 4, [a, b] = [at(...corner), at(...corners[next])], share = v[k] / (v[k] - v[next]);
+      const next = (k + 1) % 4, [a, b] = [at(...corner), at(...corners[next])];
       if (v[k] >= 0) polygon.push(a);
-      if (v[k] >= 0 !== v[next] >= 0) {
-        cuts.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
-        polygon.push(cuts[cuts.length - 1]);
-      }
+      if (v[k] >= 0 !== v[next] >= 0) { cuts.push(cut(f, a, b, v[k] >= 0)); polygon.push(cuts[cuts.length - 1]); }
     });
     if (polygon.length > 2) region.push(polygon);
     for (let k = 0; k + 1 < cuts.length; k += 2) border.push([cuts[k], cuts[k + 1]]);
@@ -129,13 +140,16 @@ function rowAt(rows, share) {
   return rows.length < 2 ? rows[0] : rows[i].map((v, k) => v + (at - i) * (rows[i + 1][k] - v));
 }
 
-// A number with so many decimals; a place is kept for the sign.
-function numeral(value, digits, sign = FIGURE_SPACE) {
-  if (!Number.isFinite(value)) return sign + "–";
+// A number with so many decimals.
+function numeral(value, digits) {
+  if (!Number.isFinite(value)) return "–";
   const fixed = Math.abs(value).toFixed(digits);
-  return (value < 0 && +fixed ? MINUS : sign) + fixed;
+  return (value < 0 && +fixed ? MINUS : "") + fixed;
 }
-const filledIn = (text, values, digits) => { let next = 0; return text.replace(/{}/g, () => numeral(values[next++], digits)); };
+function filledIn(text, values, digits, columns) {
+  let next = 0;
+  return text.replace(/{}/g, () => numeral(values[next++], digits).padStart(columns ? digits + (digits ? 3 : 5) : 0));
+}
 
 // A colour #rrggbb with so much light: below 1 towards black, above 1 towards white.
 function lit(colour, light) {

@@ -114,7 +114,7 @@ class _Writer:
 
     def view(self, view: Plane | Space) -> dict:
         kinds = {Line: self.line, Body: self.body, Level: self.level}
-        items = [kinds[type(item)](item) for item in view.items]
+        items = [_said(kinds[type(item)](item)) for item in view.items]
         handles = [self.handle(handle) for handle in view.handles]
         return vars(view) | {"items": items, "handles": handles}
 
@@ -170,6 +170,11 @@ class _Writer:
         }
         texts = (f"[{', '.join(code)}]" if isinstance(code, list) else code for code in named.values())
         return "".join(f"const {name} = {text};\n" for name, text in zip(named, texts, strict=True))
+
+
+def _said(item: dict) -> dict:
+    """Without what is not so: a page takes what is missing for no."""
+    return {name: value for name, value in item.items() if not (value is None or value is False or value == "")}
 
 
 def _bare(file: Path) -> str:

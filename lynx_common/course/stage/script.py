@@ -18,8 +18,29 @@ NAME = re.compile(rf"(?!(?:{KEPT})$)[A-Za-z]\w*", re.ASCII)
 DIGITS = 9  # significant ones of each number in a page; more would differ between processors
 
 
+class least(sp.Function):  # noqa: N801, as SymPy's own
+    """The smallest of its arguments, as ``sp.Min``, which compares long expressions with each other for seconds."""
+
+
+class largest(sp.Function):  # noqa: N801
+    """The largest of its arguments."""
+
+
+class magnitude(sp.Function):  # noqa: N801
+    """The absolute value of its argument, as ``sp.Abs``, which thinks about long ones for seconds."""
+
+
 class Printer(JavascriptCodePrinter):
     """SymPy's, which also knows NaN, and keeps a case to one line."""
+
+    def _print_least(self, expr: sp.Expr) -> str:
+        return f"Math.min({', '.join(map(self._print, expr.args))})"
+
+    def _print_largest(self, expr: sp.Expr) -> str:
+        return f"Math.max({', '.join(map(self._print, expr.args))})"
+
+    def _print_magnitude(self, expr: sp.Expr) -> str:
+        return f"Math.abs({self._print(expr.args[0])})"
 
     def _print_NaN(self, _: sp.Expr) -> str:
         return "NaN"

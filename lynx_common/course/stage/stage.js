@@ -31,13 +31,14 @@ const shown = controls.map((control, place) => {
   const value = element("output"), input = element("input", {type: "range", min: low, max: high, step, value: inputs[place], oninput: () => change(input.value)});
   byId("controls").append(element("label", {}, element("span", {textContent: name}), input, value));
   return () => {
-    const text = numeral(inputs[place], decimals, "") + (unit === "°" ? "°" : unit && " " + unit);
+    const text = numeral(inputs[place], decimals) + (unit === "°" ? "°" : unit && " " + unit);
     if (document.activeElement !== input || +input.value !== inputs[place]) input.value = inputs[place];
     input.style.setProperty("--at", 100 * (inputs[place] - low) / (high - low) + "%");
     input.setAttribute("aria-valuetext", text);
     value.textContent = text;
   };
 });
+byId("controls").style.setProperty("--names", Math.max(2, ...controls.map(control => control.name.length)) + "ch");
 const lines = words.map(({columns}) => byId("words").appendChild(element("div", {className: columns ? "columns" : ""})));
 const tasks = challenges.map(() => byId("challenges").appendChild(element("li", {}, element("span"), element("span"))));
 
@@ -51,7 +52,7 @@ const canvases = views.map((view, k) => {
   return canvas;
 });
 const frames = views.map(() => null), fields = new Map(), trails = new Map();
-byId("main").className = (controls.length ? "" : "bare ") + (views.length > 1 ? "many" : "one");
+byId("main").className = controls.length ? (views.length > 1 ? "many" : "one") : (views.length > 1 ? "bare many" : "bare");
 
 function fit() {
   const fine = window.devicePixelRatio || 1, small = innerWidth < 560;
@@ -79,14 +80,14 @@ function fieldOf(item, view, camera) {
   return fields.get(item);
 }
 function draw() {
-  if (!frames[0]) return;
+  if (views.length && !frames[0]) return;
   const at = given(inputs), numbers = compute(at, fixed), curve = (which, t) => curves[which]([t], at, fixed);
   views.forEach((view, k) => {
     const pen = canvases[k].getContext("2d"), camera = cameraOf(view, k), items = [];
     for (const item of view.items) {
       if (item.kind === "level") { items.push({item, field: fieldOf(item, view, camera)}); continue; }
-      const points = pointsOf(item, numbers, curve, trailOf), radius = numbers[item.radius];
-      if (points && (item.kind === "line" || radius > 0)) items.push({item, points, radius});
+      const radius = numbers[item.radius];
+      for (const points of runsOf(item, numbers, curve, trailOf)) if (item.kind === "line" || radius > 0) items.push({item, points, radius});
     }
     pen.clearRect(0, 0, ...frames[k]);
     (view.centre ? drawSpace : drawPlane)(pen, view, camera, items, look);
@@ -99,8 +100,8 @@ function draw() {
 }
 function say(numbers) {
   shown.forEach(show => show());
-  words.forEach(({text, values: [start, count], digits, when}, k) => {
-    lines[k].textContent = numbers[when] >= 0 ? filledIn(text, numbers.slice(start, start + count), digits) : "";
+  words.forEach(({text, values: [start, count], digits, when, columns}, k) => {
+    lines[k].textContent = numbers[when] >= 0 ? filledIn(text, numbers.slice(start, start + count), digits, columns) : "";
   });
   byId("reason").textContent = reason;
   challenges.forEach(({task, done, lost}, k) => {
@@ -226,7 +227,7 @@ function drag(which, grip, to) {
     if (numbers[place] >= 0) because.push(filledIn(text, numbers.slice(place + 1, place + 1 + count), digits));
     place += 1 + count;
   }
-  if (limit && !because.length) because.push(controls[limit[0]].name + " is at its limit, " + numeral(limit[1], 2, "").replace(/\.?0+$/, "") + controls[limit[0]].unit.replace(/^(?=\w)/, " ") + ".");
+  if (limit && !because.length) because.push(controls[limit[0]].name + " is at its limit, " + numeral(limit[1], 2).replace(/\.?0+$/, "") + controls[limit[0]].unit.replace(/^(?=\w)/, " ") + ".");
   go(next, because.join(" "));
 }
 

@@ -33,68 +33,8 @@ def made(make, *arguments) -> tuple[widgets.Widget, list[tuple[widgets.Widget, o
     return explorer, [(control, control.value) for control in valued if not isinstance(control, widgets.HTML)]
 
 
-@pytest.fixture
-def controls() -> dict[str, object]:
-    """The parts of the arm's explorer by kind."""
-    panel, image = opened(explorers.arm_explorer).children
-    kinds = {
-        "sliders": widgets.FloatSlider,
-        "frames": widgets.Checkbox,
-        "reset": widgets.Button,
-        "text": widgets.HTML,
-    }
-    parts = {name: [w for w in panel.children if isinstance(w, kind)] for name, kind in kinds.items()}
-    return parts | {"image": image}
-
-
 def pixels(controls) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(controls["image"].value)))
-
-
-@pytest.mark.committed_lengths
-def test_it_opens_on_table_1_3(controls):
-    assert [slider.value for slider in controls["sliders"]] == [60, 45, -30, 60, 30]
-    assert "(0.2156, 0.3734, 0.2673) m" in controls["text"][0].value
-
-
-@pytest.mark.parametrize("joint", range(5))
-def test_each_slider_moves_the_picture_and_the_pose(controls, joint):
-    before = pixels(controls)
-    controls["sliders"][joint].value += 25
-    assert (pixels(controls) != before).any()
-    q = np.deg2rad([slider.value for slider in controls["sliders"]])
-    x, y, z = arm.forward_kinematics(q)[:3, 3]
-    assert f"({x:.4f}, {y:.4f}, {z:.4f}) m" in controls["text"][0].value
-
-
-def test_the_base_leaves_the_side_view_alone(controls):
-    before = pixels(controls)
-    controls["sliders"][0].value += 25
-    middle = before.shape[1] // 2 + 30
-    change = pixels(controls)[:, middle:].astype(int) - before[:, middle:]
-    assert np.abs(change).max() <= 8  # of 255: rounding moves a line by less than can be seen
-
-
-def test_frames_come_and_go_and_reset_brings_the_first_picture_back(controls):
-    first = pixels(controls)
-    controls["frames"][0].value = True
-    assert (pixels(controls) != first).any()
-    controls["frames"][0].value = False
-    assert (pixels(controls) == first).all()
-    for slider in controls["sliders"]:
-        slider.value += 10
-    controls["reset"][0].click()
-    assert (pixels(controls) == first).all()
-
-
-def test_sliders_stay_within_the_joint_limits(controls):
-    limits = np.deg2rad([(slider.min, slider.max) for slider in controls["sliders"]])
-    np.testing.assert_allclose(limits, arm.JOINT_LIMITS, atol=1e-12)
-
-
-def test_another_arm_can_be_explored():
-    panel, _ = explorers.arm_explorer(arm.Geometry(1, 2, 1, 0.5)).children
-    assert "T_0_5" in panel.children[-1].value
 
 
 def parts(explorer: widgets.Widget) -> tuple[list[widgets.Widget], widgets.HTML, widgets.Image]:
@@ -455,7 +395,6 @@ def test_singularity_moves_the_point_on_the_map_the_arm_and_the_ellipse():
 
 
 OPEN = {
-    "arm": (explorers.arm_explorer, [0, 0, 0, 90, 0]),
     "reach": (explorers.reach_explorer, [0.3, 0, 0.1, 0]),
     "singularity": (explorers.singularity_explorer, [0, -90]),
     "parallel": (explorers.parallel_explorer, [0, 0, 0]),

@@ -8,7 +8,22 @@ from ... import rrr
 from ...rrr import formulas
 from ...rrr.formulas import THETA
 from ...symbolic import DESIGN, POSE, XYZ
-from ..stage import Body, Challenge, Choice, Handle, Level, Line, Motion, Plane, Slider, Words, largest, least, magnitude, stage
+from ..stage import (
+    Body,
+    Challenge,
+    Choice,
+    Handle,
+    Level,
+    Line,
+    Motion,
+    Plane,
+    Slider,
+    Words,
+    largest,
+    least,
+    magnitude,
+    stage,
+)
 from .solids import DEGREES, about, room, values_of
 
 SIGMA = sp.symbols("sigma_1:4", real=True)

@@ -6,75 +6,66 @@ from IPython.display import HTML
 
 from ... import arm
 from ...arm import formulas
-from ...symbolic import TASK, WRIST, XYZ, P
-from ..stage import Body, Challenge, Handle, Level, Line, Plane, Slider, Words, largest, least, stage
-from .branches import side_view, within_limits
-from .solids import DEGREES, circle, room, values_of
+from ...symbolic import TASK, WRIST, XYZ, P, Q
+from ..stage import Challenge, Handle, Level, Line, Plane, Slider, Words, largest, least, stage
+from .branches import DISTANCE, DOWN, REACHED, UP, arm_from_the_side, both_elbows, within_limits
+from .solids import DEGREES, circle, values_of
 
+INSIDE, COLOURS = sp.symbols("inside_up inside_down", real=True), ("right", "target")
 HOME = (0.32, 0.2, -40)  # pose f of the notebook, but for its pitch
 
 
 def pitches_at_a_point(geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """A point to be dragged and a pitch; both shapes, a fan of all pitches, and where the arm is within its limits."""
-    (_, r, z, pitch, _), (d_1, L_1, L_2, L_3) = TASK, P
-    size, far = sum(geometry), sum(geometry) - geometry.d_1
-    postures, (low, high) = _postures(), (geometry.d_1 - 1.08 * far, geometry.d_1 + 1.08 * far)
-    inside = [within_limits(q) for q in postures]
-    items = [Level(least(_reached(), slack), (r, z), colour, 0.2) for slack, colour in zip(inside, ("right", "target"), strict=True)]
-    items += _fan(inside) + [circle((r, z), L_3, "aid")]
-    for q, slack, colour in (*zip(postures[::-1], inside[::-1], ("target", "right")[:2], strict=True),):
-        for shown, shade in ((least(_reached(), slack), colour), (least(_reached(), -slack), "pale")):
-            items.append(Body(side_view(q), 0.018 * size, "steel" if shade == "right" else shade, when=shown))
+    """A point to be dragged and a pitch; both shapes, all pitches of the point, and where the arm is within limits."""
+    (_, r, z, pitch, _), size, far = TASK, sum(geometry), sum(geometry) - geometry.d_1
+    (r_wrist, h), (_, L_1, L_2, L_3) = WRIST, P
+    cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
+    shoulder = sp.atan2(h, r_wrist) - sp.atan2(L_2 * sp.sin(Q[2]), L_1 + L_2 * sp.cos(Q[2]))
+    let = both_elbows(formulas.wrist(), cosine, shoulder)
+    let |= {slack: least(REACHED, within_limits(q)) for slack, q in zip(INSIDE, (UP, DOWN), strict=True)}
+    items = [Level(slack, (r, z), colour, 0.2) for slack, colour in zip(INSIDE, COLOURS, strict=True)]
+    items += [*_wrists(), circle((r, z), L_3, "aid")]
+    for q, slack in ((DOWN, INSIDE[1]), (UP, INSIDE[0])):
+        items += arm_from_the_side(q, size, least(REACHED, -slack - sp.Float(1e-12)), pale=True)
+        items += arm_from_the_side(q, size, slack)
     handle = Handle(sp.Matrix([[r, z]]), XYZ[:2], {r: XYZ[0], z: XYZ[1]})
+    low, high = (geometry.d_1 - 1.08 * far, geometry.d_1 + 1.08 * far)
     view = Plane("r [m]", "z [m]", (-1.08 * far, low), (1.08 * far, high), round(far / 2.5, 2), items, [handle])
     scale = far / 0.5
     sliders = [
         Slider(r, "r", -round(far, 2), round(far, 2), round(HOME[0] * scale, 2), 0.01, "m"),
-        Slider(z, "z", 0, round(high, 2), round(HOME[1] * scale, 2), 0.01, "m"),
-        Slider(pitch, "pitch", -180, 180, HOME[2], 1),
+        Slider(z, "z", round(geometry.d_1 - far, 2), round(geometry.d_1 + far, 2), round(HOME[1] * scale, 2), 0.01, "m"),
+        Slider(pitch, "pitch", -180, 180, HOME[2]),
     ]
-    title = "The arm from the side at one point, with all pitches that it reaches there"
-    return stage([view], sliders, _words(postures, inside), values_of((*P, TASK[0], TASK[4]), (*geometry, 0, 0)), title, challenges=_challenges(inside))
+    title = "The arm from the side at one point, and all pitches that it reaches there"
+    fixed = values_of((*P, TASK[0], TASK[4]), (*geometry, 0, 0))
+    return stage([view], sliders, _words(), fixed, title, challenges=_challenges(), let=let)
 
 
-def _postures() -> list[list[sp.Expr]]:
-    """Joint angles with the elbow up and with the elbow down, in TASK and P."""
-    wrist = dict(zip(WRIST, formulas.wrist(), strict=True))
-    up = sp.Piecewise((-1, WRIST[0] >= 0), (1, True))
-    return [list(formulas.joint_angles().xreplace({formulas.SIGMA: sign}).xreplace(wrist)) for sign in (up, -up)]
-
-
-def _reached() -> sp.Expr:
-    wrist = formulas.wrist()
-    return room(sp.sqrt(wrist.dot(wrist)), P[1], P[2])
-
-
-def _fan(inside: list[sp.Expr]) -> list[Line]:
+def _wrists() -> list[Line]:
     """Where the wrist may be for a gripper at the point: thin where the links reach, thick within the limits."""
-    (_, r, z, pitch, _), L_3, turn = TASK, P[3], sp.Symbol("turn", real=True)
+    (_, r, z, pitch, _), L_3 = TASK, P[3]
     lines = []
-    for shown, width in ((_reached(), 1.5), (least(_reached(), largest(*inside)), 5)):
-        one = sp.Piecewise((1, shown.xreplace({pitch: turn}) >= 0), (sp.nan, True), evaluate=False)
-        place = sp.Matrix([[r - one * L_3 * sp.cos(turn), z - L_3 * sp.sin(turn)]])
-        lines.append(Line(place, "y", width, along=(turn, -round(np.pi, 8), round(np.pi, 8), 144)))
+    for shown, width in ((REACHED, 1.5), (largest(*INSIDE), 5)):
+        one = sp.Piecewise((1, shown >= 0), (sp.nan, True))
+        place = sp.Matrix([[r - one * L_3 * sp.cos(pitch), z - L_3 * sp.sin(pitch)]])
+        lines.append(Line(place, "y", width, along=(pitch, -round(np.pi, 8), round(np.pi, 8), 180)))
     return lines
 
 
-def _words(postures: list[list[sp.Expr]], inside: list[sp.Expr]) -> list[Words]:
-    reached, words = _reached(), []
-    distance = sp.sqrt(formulas.wrist().dot(formulas.wrist()))
+def _words() -> list[Words]:
     text = "Out of reach at this pitch: the wrist would be {} m from the shoulder, which has {} m of links."
-    words.append(Words(text, [distance, P[1] + P[2]], when=-reached))
-    for name, q, slack in zip(("up  ", "down"), postures, inside, strict=True):
+    words = [Words(text, [DISTANCE, P[1] + P[2]], when=-REACHED)]
+    for name, q, slack in zip(("up  ", "down"), (UP, DOWN), INSIDE, strict=True):
         angles = [DEGREES * angle for angle in q[1:4]]
-        for end, shown in (("", slack), (" beyond a limit", -slack)):
-            words.append(Words(f"elbow {name}{{}}°{{}}°{{}}°" + end, angles, 0, least(reached, shown), columns=True))
-    return words
+        for end, shown in (("", slack), (" beyond a limit", least(REACHED, -slack - sp.Float(1e-12)))):
+            words.append(Words(f"elbow {name}{{}}°{{}}°{{}}°" + end, angles, 0, shown, columns=True))
+    return [*words, Words("Blue: the elbow up is within its limits; yellow: the elbow down. Green: the wrist, for all pitches.")]
 
 
-def _challenges(inside: list[sp.Expr]) -> list[Challenge]:
-    (_, r, z, pitch, _), (d_1, L_1, L_2, L_3), reached = TASK, P, _reached()
-    one = least(largest(*inside), -least(*inside), reached)
+def _challenges() -> list[Challenge]:
+    (_, r, z, pitch, _), (d_1, L_1, L_2, L_3) = TASK, P
+    one = least(largest(*INSIDE), -least(*INSIDE) - sp.Float(1e-12), REACHED)
     out = sp.sqrt((L_1 + L_2) ** 2 - (z + L_3 - d_1) ** 2)
     return [
         Challenge(
@@ -85,6 +76,6 @@ def _challenges(inside: list[sp.Expr]) -> list[Challenge]:
         Challenge(
             "With the gripper pointing straight down, go out as far as the links allow, 0.15 to 0.25 m high.",
             "Stretched: further out the pitch has to rise.",
-            least(reached, -sp.sin(pitch) - sp.cos(sp.pi / 90), r - sp.Rational(97, 100) * out, z - 0.15, 0.25 - z),
+            least(REACHED, -sp.sin(pitch) - sp.cos(sp.pi / 90), r - sp.Rational(97, 100) * out, z - 0.15, 0.25 - z),
         ),
     ]

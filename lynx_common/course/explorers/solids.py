@@ -6,8 +6,8 @@ import numpy as np
 import sympy as sp
 
 from ...arm import formulas
-from ...symbolic import P, Q
-from ..stage import ALWAYS, Body, Line, least
+from ...symbolic import Q
+from ..stage import ALWAYS, Body, Line, largest, least
 
 NAMES = [f"θ{i}" for i in "₁₂₃₄₅"]
 DEGREES = 180 / sp.pi
@@ -88,3 +88,8 @@ def chosen(symbol: sp.Symbol, *cases: tuple[float, sp.Expr]) -> sp.Expr:
     """The expression that belongs to the value of ``symbol``; the last one otherwise."""
     *some, (_, last) = cases
     return sp.Piecewise(*((expr, sp.Eq(symbol, value)) for value, expr in some), (last, True))
+
+
+def light(expr: sp.Matrix) -> sp.Matrix:
+    """The same with ``least`` and ``largest`` for SymPy's Min and Max, which take long over what replaces a symbol."""
+    return expr.replace(sp.Min, least).replace(sp.Max, largest)

@@ -13,7 +13,21 @@ from IPython.display import HTML
 from ...drawing import COLOURS
 from ...errors import InputError
 from ...reading import formulas, real
-from .parts import ALWAYS, Body, Challenge, Choice, Handle, Level, Line, Motion, Plane, Slider, Space, Words, before
+from .parts import (
+    ALWAYS,
+    Body,
+    Challenge,
+    Choice,
+    Handle,
+    Level,
+    Line,
+    Motion,
+    Plane,
+    Slider,
+    Space,
+    Words,
+    before,
+)
 from .script import DIGITS, javascript
 
 FOLDER = Path(__file__).parent
@@ -37,14 +51,15 @@ def stage(
     title: str,
     motion: Motion | None = None,
     challenges: Sequence[Challenge] = (),
+    let: Mapping[sp.Symbol, sp.Expr] | None = None,
 ) -> HTML:
     """Views that follow the controls, the handles and the motion; words and challenges below.
 
-    ``fixed`` holds the values of all other symbols, ``title`` is what a reader hears who cannot see it. The same
+    ``let`` names intermediate results, ``fixed`` holds the values of all other symbols, ``title`` is what a reader hears who cannot see it. The same
     input gives the same page, to the letter. Raises InputError for a colour that the page does not have, a motion
     that is not a table of finite numbers, and symbols whose value nothing gives.
     """
-    writer = _Writer(controls, motion, fixed)
+    writer = _Writer(controls, motion, fixed, let or {})
     facts = {
         "title": title,
         "views": [writer.view(view) for view in views],
@@ -73,11 +88,11 @@ def stage(
 class _Writer:
     """Turns parts into data, and gathers their formulas: each number has its place in one compiled function."""
 
-    def __init__(self, controls: Sequence, motion: Motion | None, fixed: Mapping[sp.Symbol, float]):
+    def __init__(self, controls: Sequence, motion: Motion | None, fixed: Mapping, let: Mapping):
         self.inputs = [control.symbol for control in controls]
         self.home = [control.home for control in controls]
         self.controls = list(self.inputs)
-        self.fixed, self.motion = list(fixed), None
+        self.fixed, self.let, self.motion = list(fixed), let, None
         if motion:
             self.motion = self._table(motion, controls)
         self.hidden = len(self.inputs) - len(controls)
@@ -132,7 +147,7 @@ class _Writer:
         return vars(body) | numbers | when | {"kind": "body", "colour": _known(body.colour)}
 
     def level(self, level: Level) -> dict:
-        used = level.value.free_symbols.difference(level.over)
+        used = self.inputs_of(level.value).difference(level.over)
         uses = [place for place, symbol in enumerate(self.inputs) if symbol in used]
         self.levels.append(self.compile([level.value], level.over))
         kind = {"kind": "level", "value": len(self.levels) - 1, "uses": uses, "over": []}
@@ -156,14 +171,23 @@ class _Writer:
     def compile(self, numbers: Sequence[sp.Expr], first: Sequence[sp.Symbol]) -> str:
         """A function of ``first``, the inputs and what is fixed; ``first`` may hide inputs of the same name."""
         unique = [symbol if symbol not in first else sp.Symbol(f"hidden_{symbol}") for symbol in self.inputs]
-        return javascript(numbers, first, unique, self.fixed)
+        return javascript(numbers, first, unique, self.fixed, let=self.let)
+
+    def inputs_of(self, expr: sp.Expr) -> set[sp.Symbol]:
+        """What an expression depends on, also by way of the intermediate results."""
+        used = expr.free_symbols
+        for symbol, value in reversed(self.let.items()):
+            used = used | value.free_symbols if symbol in used else used
+        return used
 
     def script(self) -> str:
         """All compiled functions, by name."""
-        earlier = [before(symbol) for symbol in self.inputs]
+        earlier = {symbol: before(symbol) for symbol in (*self.inputs, *self.let)}
+        let = self.let | {before(symbol): expr.xreplace(earlier) for symbol, expr in self.let.items()}
+        then = [before(symbol) for symbol in self.inputs]
         named: dict[str, str | list[str]] = {
-            "compute": javascript(self.numbers, self.inputs, self.fixed),
-            "kept": javascript(self.kept, self.inputs, earlier, self.fixed),
+            "compute": javascript(self.numbers, self.inputs, self.fixed, let=self.let),
+            "kept": javascript(self.kept, self.inputs, then, self.fixed, let=let),
             "curves": self.curves,
             "levels": self.levels,
             "handles": self.handles,

@@ -1,7 +1,7 @@
 """Formulas of SymPy as JavaScript: the counterpart of ``symbolic.numeric`` for a page."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 from sympy.printing.jscode import JavascriptCodePrinter
@@ -18,15 +18,15 @@ NAME = re.compile(rf"(?!(?:{KEPT})$)[A-Za-z]\w*", re.ASCII)
 DIGITS = 9  # significant ones of each number in a page; more would differ between processors
 
 
-class least(sp.Function):  # noqa: N801, as SymPy's own
+class least(sp.Function):
     """The smallest of its arguments, as ``sp.Min``, which compares long expressions with each other for seconds."""
 
 
-class largest(sp.Function):  # noqa: N801
+class largest(sp.Function):
     """The largest of its arguments."""
 
 
-class magnitude(sp.Function):  # noqa: N801
+class magnitude(sp.Function):
     """The absolute value of its argument, as ``sp.Abs``, which thinks about long ones for seconds."""
 
 
@@ -49,25 +49,54 @@ class Printer(JavascriptCodePrinter):
         return re.sub(r"\s+", " ", super()._print_Piecewise(expr))
 
 
-def javascript(entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol]) -> str:
+def javascript(
+    entries: Sequence[sp.Expr], *vectors: Sequence[sp.Symbol], let: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> str:
     """The source of a JavaScript function of one array per vector of symbols, which returns an array of numbers.
 
-    Common parts are computed once. Raises InputError for symbols that no vector lists, and for names that
+    ``let`` gives names to intermediate results, each in terms of those before it; those that the entries need are
+    computed. Common parts are computed once. Raises InputError for symbols that nothing lists, and for names that
     JavaScript does not allow.
 
-    >>> x = sp.Symbol("x", real=True)
-    >>> javascript([x + 1], (x,))
-    '([x]) => { return [x + 1]; }'
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> javascript([y + 1], (x,), let={y: 2 * x})
+    '([x]) => { const y = 2*x; return [y + 1]; }'
     """
     symbols = [symbol for vector in vectors for symbol in vector]
     matrix = formulas(entries) if len(entries) else sp.Matrix([])
-    if names := sorted(map(str, matrix.free_symbols.difference(symbols))):
+    named = _needed(matrix.free_symbols, {s: expr for s, expr in (let or {}).items() if s not in symbols})
+    held = matrix.free_symbols.union(*(expr.free_symbols for expr in named.values()))
+    if names := sorted(map(str, held.difference(symbols, named))):
         raise InputError(f"The expressions also hold {', '.join(names)}, which no vector lists.")
-    if unfit := [str(s) for s in symbols if not NAME.fullmatch(str(s))]:
+    if unfit := [str(s) for s in (*symbols, *named) if not NAME.fullmatch(str(s))]:
         raise InputError(f"{', '.join(unfit)} cannot be the name of a variable in JavaScript.")
-    matrix = matrix.xreplace({number: sp.Float(number, DIGITS) for number in matrix.atoms(sp.Float)})
-    parts, (results, *_) = sp.cse([matrix], symbols=sp.numbered_symbols("part", real=True))
-    code = Printer().doprint
-    steps = "".join(f"const {name} = {code(part)}; " for name, part in parts)
+    steps, results = _steps(named, list(matrix))
     arguments = ", ".join(f"[{', '.join(map(str, vector))}]" for vector in vectors)
-    return f"({arguments}) => {{ {steps}return [{', '.join(map(code, results))}]; }}"
+    return f"({arguments}) => {{ {''.join(steps)}return [{', '.join(results)}]; }}"
+
+
+def _needed(wanted: set[sp.Symbol], let: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """Those of the intermediate results on which the wanted symbols depend, in their order."""
+    needed = {}
+    for symbol, expr in reversed(let.items()):
+        if symbol in wanted:
+            needed[symbol], wanted = sp.sympify(expr, strict=True), wanted | expr.free_symbols
+    return dict(reversed(needed.items()))
+
+
+def _steps(named: Mapping[sp.Symbol, sp.Expr], entries: list[sp.Expr]) -> tuple[list[str], list[str]]:
+    """The statements that compute common parts and what has a name, each before it is used; and the entries."""
+    code, steps = Printer().doprint, []
+    rounded = [e.xreplace({x: sp.Float(x, DIGITS) for x in e.atoms(sp.Float)}) for e in (*named.values(), *entries)]
+    parts, reduced = sp.cse(rounded, symbols=sp.numbered_symbols("part", real=True))
+    waiting = dict(parts)
+
+    def state(expr: sp.Expr) -> str:
+        for symbol in sorted(expr.free_symbols.intersection(waiting), key=lambda part: int(part.name[4:])):
+            if symbol in waiting:
+                steps.append(f"const {symbol} = {state(waiting.pop(symbol))}; ")
+        return code(expr)
+
+    for symbol, expr in zip(named, reduced, strict=False):
+        steps.append(f"const {symbol} = {state(expr)}; ")
+    return steps, [state(expr) for expr in reduced[len(named) :]]

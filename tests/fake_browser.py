@@ -93,7 +93,7 @@ function slide(name, value) {
 }
 function choose(name, option) {
   const field = made.find(e => e.tag === "fieldset" && e.children[0].textContent === name);
-  field.children.find(e => e.children[1]?.textContent === option).children[0].oninput();
+  field.children[1].children.find(e => e.children[1]?.textContent === option).children[0].oninput();
 }
 function text() { return made.filter(e => e.textContent).map(e => e.textContent); }
 """

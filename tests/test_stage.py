@@ -58,7 +58,9 @@ def space(*items, handles=(), turn=0, tilt=0):
     return Space((0, 0, 0), 1, 0.5, items, handles, turn=turn, tilt=tilt)
 
 
-def opened(views=(), controls=(Slider(X, "x", 0, 1, 0.5, 0.1, "m"),), words=(), fixed=None, title="a stage", **more):
+def opened(
+    views=(), controls=(Slider(X, "x", 0, 1, 0.5, 0.1, "m"),), words=(), fixed=None, title="a stage", **more
+):
     views = views if isinstance(views, list | tuple) else [views]
     return FakePage(stage(views, controls, words, fixed or {}, title, **more))
 
@@ -80,7 +82,12 @@ def test_the_smallest_the_largest_and_the_size_are_those_of_numpy_and_nan_is_pas
     found = compute(javascript(functions, (X, Y), (A,)), inputs, [0.7])
     x, y = inputs.T
     with np.errstate(invalid="ignore"):
-        rows = [np.minimum(np.minimum(x, y), 0.7), np.maximum(np.maximum(x, y), 0.7), abs(x), np.minimum(x, np.sqrt(y))]
+        rows = [
+            np.minimum(np.minimum(x, y), 0.7),
+            np.maximum(np.maximum(x, y), 0.7),
+            abs(x),
+            np.minimum(x, np.sqrt(y)),
+        ]
     np.testing.assert_allclose(found.T, rows)
 
 
@@ -318,8 +325,12 @@ def test_a_finger_on_a_handle_does_not_scroll_the_page():
     page = opened(plane(handles=[HANDLE]), PAIR)
     x, y = page.place([0.5, 0.25])
     for at, kept in (((x, y), True), ((x + 100, y), False)):
-        event = f"{{touches: [{{clientX: {at[0]}, clientY: {at[1]}}}], preventDefault() {{ this.stopped = true; }}}}"
-        assert page.run(f"(e => {{ canvasesMade[0].listeners.touchstart(e); return !!e.stopped; }})({event})") == kept
+        event = (
+            f"{{touches: [{{clientX: {at[0]}, clientY: {at[1]}}}], preventDefault() {{ this.stopped = true; }}}}"
+        )
+        assert (
+            page.run(f"(e => {{ canvasesMade[0].listeners.touchstart(e); return !!e.stopped; }})({event})") == kept
+        )
 
 
 # Challenges
@@ -474,7 +485,14 @@ def test_seconds_are_one_number_above_0(seconds):
 
 # The page
 
-TEXTS = ["</script><script>alert(1)</script>", "FACTS", "<!--<script>", "STAGE {} '\"&amp;", "</iframe>", "GEOMETRY"]
+TEXTS = [
+    "</script><script>alert(1)</script>",
+    "FACTS",
+    "<!--<script>",
+    "STAGE {} '\"&amp;",
+    "</iframe>",
+    "GEOMETRY",
+]
 
 
 @pytest.mark.parametrize("text", TEXTS)

@@ -73,7 +73,10 @@ def both_elbows(wrist: sp.Matrix, cosine: sp.Expr, shoulder: sp.Expr) -> dict[sp
 
 def _views(own: Sequence[sp.Symbol], other: Sequence[sp.Symbol], geometry: arm.Geometry) -> list[Space | Plane]:
     (azimuth, r, z, _, _), (d_1, L_1, L_2, _), size = TASK, P, sum(geometry)
-    solids = [*arm_in_space(frames_of(other), size, REACHED, pale=True), *arm_in_space(frames_of(own), size, REACHED)]
+    solids = [
+        *arm_in_space(frames_of(other), size, REACHED, pale=True),
+        *arm_in_space(frames_of(own), size, REACHED),
+    ]
     target = sp.Matrix([[r * sp.cos(azimuth), r * sp.sin(azimuth), z]])
     space = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), solids, [_in_space(target)])
     shapes = [circle((0, d_1), L_1 + L_2, "aid"), circle((0, d_1), sp.Abs(L_1 - L_2), "aid")]
@@ -85,11 +88,14 @@ def _views(own: Sequence[sp.Symbol], other: Sequence[sp.Symbol], geometry: arm.G
     return [space, Plane("r [m]", "z [m]", low, high, round(far / 2.8, 2), shapes, [handle])]
 
 
-def arm_from_the_side(q: Sequence[sp.Expr], size: float, when: sp.Expr, pale: bool = False) -> list[Body]:
+def arm_from_the_side(
+    q: Sequence[sp.Expr], size: float, when: sp.Expr, pale: bool = False, hand: bool = True
+) -> list[Body]:
     """The arm in its own plane."""
-    points, colours = side_view(q), ("pale", "pale") if pale else ("steel", "joint")
-    links = [Body(points[:4, :], 0.02 * size, colours[0], when=when), Body(points[3:, :], 0.014 * size, colours[0], when=when)]
-    return links + [Body(points[i, :], 0.027 * size, colours[1], when=when) for i in (1, 2, 3)]
+    points, (link, joint) = side_view(q), ("pale", "pale") if pale else ("steel", "joint")
+    rods = [(points[:4, :], 0.02, link), *[(points[3:, :], 0.014, link)][: int(hand)]]
+    rods += [(points[i, :], 0.027, joint) for i in (1, 2, 3)]
+    return [Body(rod, width * size, colour, when=when) for rod, width, colour in rods]
 
 
 def _controls(geometry: arm.Geometry) -> list[Slider | Choice]:
@@ -146,7 +152,9 @@ def _four() -> dict[str, list[sp.Expr]]:
 def within_limits(q: Sequence[sp.Expr]) -> sp.Expr:
     """Not negative where theta_2 to theta_4 are within their limits, give or take full turns; the others always are."""
     slack = []
-    for angle, (low, high) in zip(q[1:4], np.rad2deg(arm.JOINT_LIMITS[1:4]).round().astype(int).tolist(), strict=True):
+    for angle, (low, high) in zip(
+        q[1:4], np.rad2deg(arm.JOINT_LIMITS[1:4]).round().astype(int).tolist(), strict=True
+    ):
         middle, half = sp.pi * (low + high) / 360, sp.pi * (high - low) / 360
         slack.append(half + sp.Float(1e-9) - magnitude(about(angle, middle)))
     return least(*slack)

@@ -38,12 +38,14 @@ def lost_freedom(geometry: arm.Geometry = PART_3) -> HTML:
     size = sum(geometry) - geometry.L_3
     end, radial, block = _end(), _radius(), _block()
     items = arm_in_space(frames_of([*Q[:3], 0, 0]), size, gripper=False)
-    view = Space((0, 0, round(0.36 * size, 4)), 0.86 * size, round(size / 6, 4), items + _velocities(size), [_handle(end)])
-    d_1, L_1, L_2 = P[:3]
+    view = Space(
+        (0, 0, round(0.36 * size, 4)), 0.8 * size, round(size / 6, 4), items + _velocities(size), [_handle(end)]
+    )
     here = dict(zip(Q[1:3], (sp.pi * place / 180 for place in PLACE), strict=True))
     factors = [sp.sin(Q[2]).xreplace(here), radial.xreplace(here)]
     chart = [Level(-factors[0] * factors[1], PLACE, "right", 0.25, 0)]
-    chart += [Level(factor, PLACE, colour, 0, 2) for factor, colour in zip(factors, ("z", "x"), strict=True)]
+    chart.append(Level(factors[1], PLACE, "x", 0, 2))
+    chart += [Line(sp.Matrix([[-180, turn], [180, turn]]), "z", 2) for turn in (-180, 0, 180)]
     at = DEGREES * sp.Matrix([Q[1:3]])
     chart.append(Line(at, "target", 0, dots=5))
     chosen = Handle(at, PLACE, dict(zip(Q[1:3], here.values(), strict=True)))
@@ -99,7 +101,9 @@ def _velocities(size: float) -> list[Line | Body]:
     out, side = sp.Matrix([[sp.cos(Q[0]), sp.sin(Q[0]), 0]]), sp.Matrix([[-sp.sin(Q[0]), sp.cos(Q[0]), 0]])
     up = sp.Matrix([[0, 0, 1]])
     speeds = SPEED * block * sp.Matrix([sp.cos(t), sp.sin(t)])
-    ellipse = Line(end + speeds[0] * out + speeds[1] * up, "target", 2.5, filled=True, along=(t, 0, round(2 * np.pi, 8), 60))
+    ellipse = Line(
+        end + speeds[0] * out + speeds[1] * up, "target", 2.5, filled=True, along=(t, 0, round(2 * np.pi, 8), 60)
+    )
     square = SPEED * _radius() * side
     (a, b), (c, d) = block.tolist()
     angle = sp.atan2(2 * (a * c + b * d), a**2 + b**2 - c**2 - d**2) / 2 + sp.pi / 2

@@ -32,10 +32,14 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     rows = [f"{start}{{}} {{}} {{}} {{}}" for start in starts]
     words = [Words(row, list(frames[4][i, :]), columns=True) for i, row in enumerate(rows)]
     words.append(Words("gripper at {}, {}, {} m", list(tip)))
-    down = least(0.03 * size - sp.sqrt((tip - star).dot(tip - star)), -sp.sin(formulas.pitch()) - sp.cos(sp.pi / 18))
+    down = least(
+        0.03 * size - sp.sqrt((tip - star).dot(tip - star)), -sp.sin(formulas.pitch()) - sp.cos(sp.pi / 18)
+    )
     r = formulas.task_coordinates()[1]
     challenges = [
-        Challenge("Bring the gripper to the ball with the fork pointing down.", "At the ball, pointing down.", down),
+        Challenge(
+            "Bring the gripper to the ball with the fork pointing down.", "At the ball, pointing down.", down
+        ),
         Challenge(
             "Bring the gripper where θ₁ cannot move it.",
             "On the base axis: θ₁ turns the gripper about itself. It has lost a direction to move in.",

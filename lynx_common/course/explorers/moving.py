@@ -48,15 +48,15 @@ def arm_in_motion(
         at = sp.symbols(f"item_{number}x item_{number}y item_{number}z", real=True)
         columns |= dict(zip(at, track.T, strict=True))
         parts.append(Body(sp.Matrix([at]), radius, "target" if gripper else "printed", clear=not gripper))
-    words = _angles(Q) + [Words(f"{'gripper' if gripper else 'end'} at {{}}, {{}}, {{}} {unit}".rstrip(), list(tip))]
+    words = _angles(Q) + [
+        Words(f"{'gripper' if gripper else 'end'} at {{}}, {{}}, {{}} {unit}".rstrip(), list(tip))
+    ]
     view = _seen(arm.joint_positions(q, geometry), size, parts)
     motion = Motion(columns, seconds, title)
     return stage([view], [], words, values_of(P, geometry), title, motion)
 
 
-def two_motions(
-    motions: Mapping[str, np.ndarray], seconds: float = 8, geometry: arm.Geometry = arm.LYNX
-) -> HTML:
+def two_motions(motions: Mapping[str, np.ndarray], seconds: float = 8, geometry: arm.Geometry = arm.LYNX) -> HTML:
     """Two motions of the arm side by side, under their names, at the same instants; (n, 5) radians each."""
     if len(motions) != 2:
         raise InputError(f"Two motions are shown side by side; {len(motions)} were given.")

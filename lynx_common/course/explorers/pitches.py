@@ -34,7 +34,15 @@ def pitches_at_a_point(geometry: arm.Geometry = arm.LYNX) -> HTML:
     scale = far / 0.5
     sliders = [
         Slider(r, "r", -round(far, 2), round(far, 2), round(HOME[0] * scale, 2), 0.01, "m"),
-        Slider(z, "z", round(geometry.d_1 - far, 2), round(geometry.d_1 + far, 2), round(HOME[1] * scale, 2), 0.01, "m"),
+        Slider(
+            z,
+            "z",
+            round(geometry.d_1 - far, 2),
+            round(geometry.d_1 + far, 2),
+            round(HOME[1] * scale, 2),
+            0.01,
+            "m",
+        ),
         Slider(pitch, "pitch", -180, 180, HOME[2]),
     ]
     title = "The arm from the side at one point, and all pitches that it reaches there"
@@ -60,7 +68,12 @@ def _words() -> list[Words]:
         angles = [DEGREES * angle for angle in q[1:4]]
         for end, shown in (("", slack), (" beyond a limit", least(REACHED, -slack - sp.Float(1e-12)))):
             words.append(Words(f"elbow {name}{{}}°{{}}°{{}}°" + end, angles, 0, shown, columns=True))
-    return [*words, Words("Blue: the elbow up is within its limits; yellow: the elbow down. Green: the wrist, for all pitches.")]
+    return [
+        *words,
+        Words(
+            "Blue: the elbow up is within its limits; yellow: the elbow down. Green: the wrist, for all pitches."
+        ),
+    ]
 
 
 def _challenges() -> list[Challenge]:
@@ -76,6 +89,8 @@ def _challenges() -> list[Challenge]:
         Challenge(
             "With the gripper pointing straight down, go out as far as the links allow, 0.15 to 0.25 m high.",
             "Stretched: further out the pitch has to rise.",
-            least(REACHED, -sp.sin(pitch) - sp.cos(sp.pi / 90), r - sp.Rational(97, 100) * out, z - 0.15, 0.25 - z),
+            least(
+                REACHED, -sp.sin(pitch) - sp.cos(sp.pi / 90), r - sp.Rational(97, 100) * out, z - 0.15, 0.25 - z
+            ),
         ),
     ]

@@ -13,9 +13,11 @@ from .solids import circle, light, room, values_of
 # Points 3 and 4 of the report's Fig. 1.10, as (r, z, pitch), and its obstacle.
 START, END = (0, 0.6, sp.pi / 2), (sp.Rational(-1, 5), sp.Rational(2, 5), sp.pi)
 BALL = sp.symbols("ball_r ball_z radius margin", real=True)
-SHARE, BEND, KEEP, ENDS, REACHED, CLEAR, CLEAR_OF_LINE = sp.symbols("share bend keep ends reached clear line", real=True)
+SHARE, BEND, KEEP, ENDS, REACHED, CLEAR, CLEAR_OF_LINE = sp.symbols(
+    "share bend keep ends reached clear line", real=True
+)
 POSTURE = sp.symbols("q_1:6", real=True)
-HOME = (-0.2, 0.6, 0.15, 0.01)
+HOME = (-0.2, 0.6, 0.15, 0)
 ASKED = 0.02  # m, the clearance of the challenge
 
 
@@ -38,23 +40,31 @@ def thread_around_a_ball(geometry: arm.Geometry = arm.LYNX) -> HTML:
     ranges = ((-0.4, 0.2), (0.2, 0.7), (0.02, 0.2), (0, 0.08))
     names = ("ball r", "ball z", "radius", "margin")
     controls = [Slider(SHARE, "way", 0, 1, 0, 0.01, "")]
-    controls += [Slider(s, name, *r, h, 0.01, "m") for s, name, r, h in zip(BALL, names, ranges, HOME, strict=True)]
+    controls += [
+        Slider(s, name, *r, h, 0.01, "m") for s, name, r, h in zip(BALL, names, ranges, HOME, strict=True)
+    ]
     controls.append(Choice(BEND, "elbow", {"θ₃ < 0": -1, "θ₃ > 0": 1}, -1))
     title = "The arm from the side, a ball in its way and the shortest way of the gripper around it"
     fixed = values_of((*P, TASK[0], TASK[4]), (*geometry, 0, 0))
-    return stage([view], controls, _words(), fixed, title, challenges=[_challenge(shown)], let=let)
+    return stage([view], controls, _words(), fixed, title, challenges=_challenges(shown), let=let)
 
 
-def _challenge(shown: sp.Expr) -> Challenge:
+def _challenges(shown: sp.Expr) -> list[Challenge]:
     moved = [magnitude(symbol - home) for symbol, home in zip(BALL[:2], HOME, strict=False)]
     at_home = least(0.005 - largest(*moved), BALL[2] - HOME[2] + 0.001)
-    return Challenge(
+    past = Challenge(
         "Pass the ball where it is, with the whole arm at least 20 mm clear of it, from point 3 to point 4.",
         "Past the ball, links and all.",
         SHARE - 0.999,
         least(CLEAR - ASKED + sp.Float(1e-9), shown, at_home),
         "The arm came too near, could not follow, or the ball was moved: reset.",
     )
+    through = Challenge(
+        "Find a place for the ball at which the gripper's way is clear, and a link goes through the ball.",
+        "The thread is the gripper's way. Nobody asked the links.",
+        least(shown, -CLEAR - 0.005),
+    )
+    return [past, through]
 
 
 def _from_centre(point: tuple) -> sp.Matrix:
@@ -68,11 +78,18 @@ def _way() -> dict[sp.Symbol, sp.Expr]:
     names = "begin t_first t_last turned_left turned_right arc turn gone on_arc at"
     begin, t_first, t_last, left, right, arc, turn, gone, on_arc, at = sp.symbols(names, real=True)
     between = sp.atan2(last[1], last[0]) - begin
-    let = {KEEP: BALL[2] + BALL[3], ENDS: least(*away) - KEEP + sp.Float(1e-9), begin: sp.atan2(first[1], first[0])}
+    let = {
+        KEEP: BALL[2] + BALL[3],
+        ENDS: least(*away) - KEEP + sp.Float(1e-9),
+        begin: sp.atan2(first[1], first[0]),
+    }
     for symbol, v in ((t_first, first), (t_last, last)):
         let[symbol] = sp.sqrt(largest(v.dot(v) - KEEP**2, 0))
     touch = sp.atan2(t_first, KEEP) + sp.atan2(t_last, KEEP)
-    let |= {symbol: sign * between - 2 * sp.pi * sp.floor(sign * between / (2 * sp.pi)) - touch for symbol, sign in ((left, 1), (right, -1))}
+    let |= {
+        symbol: sign * between - 2 * sp.pi * sp.floor(sign * between / (2 * sp.pi)) - touch
+        for symbol, sign in ((left, 1), (right, -1))
+    }
     let |= {arc: KEEP * least(left, right), turn: sp.Piecewise((1, left <= right + sp.Float(1e-9)), (-1, True))}
     let |= {gone: SHARE * (t_first + arc + t_last) - t_first, on_arc: largest(0, least(gone, arc))}
     let[at] = begin + turn * (sp.atan2(t_first, KEEP) + on_arc / KEEP)

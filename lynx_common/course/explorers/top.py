@@ -43,7 +43,9 @@ def change_of_branch(geometry: arm.Geometry = arm.LYNX) -> HTML:
         f"A joint jumped by {JUMP}° or more: reset.",
     )
     controls = [Slider(PLACE, "x", -far, far, far, 0.01, "m"), Choice(BRANCH, "branch", NAMED, 1)]
-    title = "Two arms lead the gripper over the base; a slider for its place, a choice for the branch of the right one"
+    title = (
+        "Two arms lead the gripper over the base; a slider for its place, a choice for the branch of the right one"
+    )
     fixed = values_of(P, geometry)
     return stage(views, controls, words, fixed, title, challenges=[challenge], let=let)
 

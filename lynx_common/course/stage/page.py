@@ -30,6 +30,7 @@ from .parts import (
 )
 from .script import DIGITS, javascript
 
+AT_ONCE = 1e9  # the step of what has none between its values
 FOLDER = Path(__file__).parent
 # One colour for one meaning, as in the figures, and three of the robots' own; on a light page and on a dark one.
 LIGHT = COLOURS | {"steel": "#62738a", "joint": "#3a4450", "pale": "#b4bac4"}
@@ -65,7 +66,7 @@ def stage(
         "views": [writer.view(view) for view in views],
         "controls": [vars(control) | {"symbol": str(control.symbol)} for control in controls],
         "home": writer.home,
-        "steps": [getattr(control, "step", 1) for control in controls] + [1] * writer.hidden,
+        "steps": [getattr(control, "step", AT_ONCE) for control in controls] + [AT_ONCE] * writer.hidden,
         "words": [writer.words(line) for line in words],
         "challenges": [writer.challenge(one) for one in challenges],
         "motion": writer.motion,

@@ -45,6 +45,11 @@ class Printer(JavascriptCodePrinter):
     def _print_NaN(self, _: sp.Expr) -> str:
         return "NaN"
 
+    def _print_Pow(self, expr: sp.Expr) -> str:
+        if expr.exp in (2, 3) and expr.base.is_Symbol:
+            return f"({expr.base}**{expr.exp})"  # shorter than Math.pow, and the same
+        return super()._print_Pow(expr)
+
     def _print_Piecewise(self, expr: sp.Expr) -> str:
         return re.sub(r"\s+", " ", super()._print_Piecewise(expr))
 
@@ -87,7 +92,9 @@ def _needed(wanted: set[sp.Symbol], let: Mapping[sp.Symbol, sp.Expr]) -> dict[sp
 def _steps(named: Mapping[sp.Symbol, sp.Expr], entries: list[sp.Expr]) -> tuple[list[str], list[str]]:
     """The statements that compute common parts and what has a name, each before it is used; and the entries."""
     code, steps = Printer().doprint, []
-    rounded = [e.xreplace({x: sp.Float(x, DIGITS) for x in e.atoms(sp.Float)}) for e in (*named.values(), *entries)]
+    rounded = [
+        e.xreplace({x: sp.Float(x, DIGITS) for x in e.atoms(sp.Float)}) for e in (*named.values(), *entries)
+    ]
     parts, reduced = sp.cse(rounded, symbols=sp.numbered_symbols("part", real=True))
     waiting = dict(parts)
 

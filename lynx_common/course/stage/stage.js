@@ -19,10 +19,10 @@ const shown = controls.map((control, place) => {
   const {name, low, high, step, unit, options} = control, decimals = (String(step).split(".")[1] || "").length;
   const change = value => { stop(); go(inputs.map((v, i) => i === place ? +value : v)); };
   if (options) {
-    const field = element("fieldset", {}, element("legend", {textContent: name}));
+    const row = element("div"), field = element("fieldset", {}, element("legend", {textContent: name}), row);
     const radios = Object.entries(options).map(([text, value]) => {
       const radio = element("input", {type: "radio", name: "c" + place, value, oninput: () => change(value)});
-      field.append(element("label", {}, radio, element("span", {textContent: text})));
+      row.append(element("label", {}, radio, element("span", {textContent: text})));
       return radio;
     });
     byId("controls").append(field);

@@ -31,7 +31,8 @@ function recorder() {
   return new Proxy({calls}, {
     get: (target, name) => name === "calls" ? calls : name in state ? state[name] : (...args) => {
       if (name === "clearRect") calls.length = 0;
-      if (!args.flat(3).filter(v => typeof v === "number").every(Number.isFinite)) throw new Error("a number is missing in " + name);
+      const numbers = args.flat(3).filter(v => typeof v === "number");
+      if (!numbers.every(Number.isFinite)) throw new Error("a number is missing in " + name);
       calls.push({name, args, state: {...state}});
       return name.startsWith("create") ? gradient([]) : undefined;
     },
@@ -45,7 +46,10 @@ function makeElement(tag, attributes = {}) {
     tag, children: [], listeners: {}, attributes, textContent: "", className: "", value: "", hidden: false,
     parentNode: null, parentElement: null, clientWidth: 600, background: "rgba(0, 0, 0, 0)",
     style: {setProperty(name, value) { this[name] = value; }},
-    append(...more) { more.forEach(child => { if (child.tag) child.parentNode = child.parentElement = one; }); one.children.push(...more); },
+    append(...more) {
+      more.filter(child => child.tag).forEach(child => { child.parentNode = child.parentElement = one; });
+      one.children.push(...more);
+    },
     appendChild(child) { one.append(child); return child; },
     setAttribute: (name, value) => { attributes[name] = value; },
     addEventListener: (name, listener) => { one.listeners[name] = listener; },
@@ -71,7 +75,7 @@ const window = {devicePixelRatio: 1};
 const requestAnimationFrame = callback => waiting.push(callback);
 globalThis.setTimeout = (callback, delay) => timers.push({callback, delay});
 globalThis.clearTimeout = id => { if (id) delete timers[id - 1]; };
-const matchMedia = query => media[query] ??= {matches: false, addEventListener: (name, listener) => { media[query].listener = listener; }};
+const matchMedia = query => media[query] ??= {matches: false, addEventListener: () => {}};
 class Observer {
   constructor(callback) { this.callback = callback; }
   observe(node) { (observed[this.constructor.name] ??= []).push(this.callback); }
@@ -111,7 +115,7 @@ class Stroke:
 
 @dataclass
 class Drawing:
-    """One canvas: strokes; filled shapes (n, 2) with their first colour; discs (x, y, radius); words (text, x, y)."""
+    """One canvas: strokes; filled shapes (n, 2) and their colour; discs (x, y, radius); words (text, x, y)."""
 
     strokes: list[Stroke]
     shapes: list[tuple[np.ndarray, str]]

@@ -1,11 +1,10 @@
-"""What a reader moves: stages, which need no kernel, and two explorers of ipywidgets for what cannot be compiled.
+"""What a reader moves: stages, which need no kernel, and an explorer of ipywidgets for what cannot be compiled.
 
-A stage draws formulas in the page itself, so that it moves on the static site, too. An explorer keeps one Matplotlib
-figure, moves its lines over a background that is drawn once, and hands the picture over as PNG bytes.
+A stage draws formulas in the page itself, so that it moves on the static site, too. The explorer keeps one
+Matplotlib figure, moves its patches over a background that is drawn once, and hands the picture over as PNG bytes.
 """
 
 from .branches import branches_of_a_target
-from .detour import detour_explorer
 from .freedom import lost_freedom
 from .joints import joints_and_frames
 from .legs import legs_and_modes
@@ -20,7 +19,6 @@ __all__ = [
     "arm_in_motion",
     "branches_of_a_target",
     "change_of_branch",
-    "detour_explorer",
     "joints_and_frames",
     "legs_and_modes",
     "limits_explorer",

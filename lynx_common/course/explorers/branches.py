@@ -37,7 +37,7 @@ def branches_of_a_target(
     shoulder: sp.Expr | None = None,
     geometry: arm.Geometry = arm.LYNX,
 ) -> HTML:
-    """A target to be dragged, in space and in the arm's plane; both shapes, the angles of all branches, the limits.
+    """A target to be dragged, in space and in the arm's plane; both shapes, and the angles of all branches.
 
     The three formulas are those of notebook A3: ``wrist`` is (r_wrist, h) in the symbols of task coordinates,
     ``cosine`` that of theta_3 in r_wrist and h, ``shoulder`` theta_2 in r_wrist, h and theta_3.
@@ -58,7 +58,7 @@ def branches_of_a_target(
 
 
 def both_elbows(wrist: sp.Matrix, cosine: sp.Expr, shoulder: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """Names for the wrist, its distance and slack, and the joint angles with the elbow UP and DOWN; in TASK and P."""
+    """The wrist, its distance and slack, and the joint angles with the elbow UP and DOWN, by name; in TASK and P."""
     let = dict(zip(WRIST, wrist, strict=True))
     let[DISTANCE] = sp.sqrt(WRIST[0] ** 2 + WRIST[1] ** 2)
     let[REACHED] = room(DISTANCE, P[1], P[2])
@@ -150,7 +150,7 @@ def _four() -> dict[str, list[sp.Expr]]:
 
 
 def within_limits(q: Sequence[sp.Expr]) -> sp.Expr:
-    """Not negative where theta_2 to theta_4 are within their limits, give or take full turns; the others always are."""
+    """Not negative where theta_2 to theta_4 are within their limits, modulo full turns; the others always are."""
     slack = []
     for angle, (low, high) in zip(
         q[1:4], np.rad2deg(arm.JOINT_LIMITS[1:4]).round().astype(int).tolist(), strict=True
@@ -170,7 +170,7 @@ def _challenges(own: Sequence[sp.Symbol]) -> list[Challenge]:
             least(DISTANCE - 0.99 * links, REACHED),
         ),
         Challenge(
-            "Lead the wrist over the base to the other side, with the elbow up all the way and no jump of 60° or more.",
+            "Lead the wrist over the base to the other side, the elbow up all the way and without a jump of 60°.",
             "Up became down without a jump: at full stretch there is no difference.",
             -WRIST[0] - 0.1 * links,
             least(sp.pi / 3 - step, REACHED, ELBOW),

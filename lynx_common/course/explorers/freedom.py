@@ -31,7 +31,7 @@ PLACE = sp.symbols("across up", real=True)  # on the map, in degrees
 
 
 def lost_freedom(geometry: arm.Geometry = PART_3) -> HTML:
-    """The end of the arm to be dragged; its velocity ellipse, the force of least torque, and the map of the determinant.
+    """The end of the arm to be dragged; velocity ellipse, force of least torque, and the map of the determinant.
 
     All is about the wrist; a gripper is left out. The arm of Part 3 has no unit.
     """
@@ -52,25 +52,24 @@ def lost_freedom(geometry: arm.Geometry = PART_3) -> HTML:
     view_of_map = Plane("θ₂ [°]", "θ₃ [°]", (-180, -180), (180, 180), 60, chart, [chosen])
     sliders = [Slider(q, f"θ{i}", -180, 180, home) for q, i, home in zip(Q, "₁₂₃", HOME_DEG, strict=False)]
     title = "The arm in space with the velocities of its end, and the map of the determinant over θ₂ and θ₃"
-    smallest = least(magnitude(radial), _singular_values(block)[1])
-    best = geometry.L_1 == geometry.L_2
-    challenges = [
-        Challenge(
-            "Lose a freedom without stretching the elbow.",
-            "The end is on the base axis: it cannot move square to the arm's plane, and a push that way costs nothing.",
-            least(0.01 * size - magnitude(radial), magnitude(sp.sin(Q[2])) - 0.3),
-        ),
-        *[
-            Challenge(
-                "Make the worst direction as good as it gets: a smallest singular value of "
-                f"{0.99 * geometry.L_1 / 2**0.5:.4g} or more.",
-                "Three singular values nearly alike: the arm moves equally well in all directions.",
-                smallest - round(float(f"{0.99 * geometry.L_1 / 2**0.5:.4g}"), 9),
-            )
-        ][: int(best)],
-    ]
+    challenges = _challenges(radial, least(magnitude(radial), _singular_values(block)[1]), geometry)
     words = _words(radial, block, size)
     return stage([view, view_of_map], sliders, words, values_of(P, geometry), title, challenges=challenges)
+
+
+def _challenges(radial: sp.Expr, smallest: sp.Expr, geometry: arm.Geometry) -> list[Challenge]:
+    lost = Challenge(
+        "Lose a freedom without stretching the elbow.",
+        "The end is on the base axis: it cannot move square to the arm's plane; a push that way costs nothing.",
+        least(0.0125 * (geometry.L_1 + geometry.L_2) - magnitude(radial), magnitude(sp.sin(Q[2])) - 0.3),
+    )
+    good = float(f"{0.99 * geometry.L_1 / 2**0.5:.3g}")  # of L / sqrt(2), the most with two links of one length
+    best = Challenge(
+        f"Make the worst direction as good as it gets: a smallest singular value of {good} or more.",
+        "The arm moves nearly as well in its worst direction as in the second.",
+        smallest - good,
+    )
+    return [lost, best] if geometry.L_1 == geometry.L_2 else [lost]
 
 
 def _end() -> sp.Matrix:
@@ -96,7 +95,7 @@ def _singular_values(block: sp.Matrix) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _velocities(size: float) -> list[Line | Body]:
-    """The ellipse of velocities in the arm's plane, those square to it, and the line of the force of least torque."""
+    """Velocities in the arm's plane (the ellipse) and square to it, and the line of the force of least torque."""
     end, block, t = _end(), _block(), sp.Symbol("turn", real=True)
     out, side = sp.Matrix([[sp.cos(Q[0]), sp.sin(Q[0]), 0]]), sp.Matrix([[-sp.sin(Q[0]), sp.cos(Q[0]), 0]])
     up = sp.Matrix([[0, 0, 1]])

@@ -17,7 +17,7 @@ SHOWN = sp.Symbol("frames", real=True)
 
 
 def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """Sliders for the five joint angles, or the gripper itself to be dragged; frames, and the pose of the last one.
+    """Sliders for the five joint angles, or the gripper itself to be dragged; frames, and the pose of the last.
 
     ``frames`` : T_0_1 to T_0_5, in the symbols ``arm.Q`` and ``arm.P``, as derived in notebook A1.
     """
@@ -59,7 +59,7 @@ def joint_sliders(home: Sequence[float], limits: np.ndarray = arm.JOINT_LIMITS) 
 
 
 def grip(tip: sp.Matrix) -> Handle:
-    """The gripper as a handle: pitch, roll and branch stay; beyond the reach the stretched arm points at the finger."""
+    """The gripper as a handle: pitch, roll and branch stay; beyond its reach the arm points at the finger."""
     x, y, z = XYZ
     side = sp.Piecewise((-1, formulas.task_coordinates()[1] < 0), (1, True))
     bend = sp.Piecewise((1, Q[2] > 0), (-1, True))

@@ -1,4 +1,4 @@
-"""Stage of Part 2: a platform on three legs, its workspace, its working modes and where the motors do not hold it."""
+"""Stage of Part 2: a platform on three legs, its workspace, working modes, and where the motors do not hold it."""
 
 from collections.abc import Sequence
 
@@ -39,7 +39,7 @@ LOOSE = 0.01  # of det A, for links of unit length and a platform of unit radius
 def legs_and_modes(geometry: rrr.Geometry = rrr.RRR) -> HTML:
     """The platform to be dragged and turned, and a side for each leg to bend to; workspace, and where det A = 0.
 
-    The formulas are those of ``rrr.inverse_kinematics`` and ``rrr.jacobians``: notebook Part2, sections 2, 4 and 7.
+    The formulas are those of ``rrr.inverse_kinematics`` and ``rrr.jacobians``; notebook Part2.
     """
     poses = _assembly_modes(geometry)
     home = poses[0] if poses else np.zeros(3)
@@ -60,7 +60,7 @@ def legs_and_modes(geometry: rrr.Geometry = rrr.RRR) -> HTML:
 
 
 def _names() -> dict[sp.Symbol, sp.Expr]:
-    """For the bends SIGMA: lengths and slack of the legs, motor angles, det A without its units; in POSE and DESIGN."""
+    """For the bends SIGMA: lengths and slack of the legs, motor angles, det A without its units, by name."""
     S_A, L, r_platform, *_ = DESIGN
     legs = formulas.legs().tolist()
     let = {span: sp.sqrt(x**2 + y**2) for span, (x, y) in zip(SPANS, legs, strict=True)}
@@ -87,7 +87,7 @@ def platform_on_legs(
 
 
 def _assembly_modes(geometry: rrr.Geometry) -> list[np.ndarray]:
-    """The start, and another pose of the same motor angles, mode and sign of det A; nothing where there is none."""
+    """The start, and another pose of the same motor angles, mode and sign of det A; or nothing."""
     start, mode = np.array(START), rrr.WORKING_MODES.index(MODE)
     theta = rrr.inverse_kinematics(start, geometry)[mode]
     if np.isnan(theta).any():
@@ -185,7 +185,7 @@ def _other_mode(pose: np.ndarray) -> Challenge:
     unbent = -largest(*(magnitude(s - side) for s, side in zip(SIGMA, MODE, strict=True)))
     return Challenge(
         "Bring the platform onto the dashed one without crossing det A = 0, the legs bent as they are.",
-        "The motors are where they began, and the platform is not: another assembly mode, and no singularity passed.",
+        "The motors are where they began, the platform is not: another assembly mode, and no singularity on the way.",
         least(6 - gap, sp.pi / 60 - turn),
         least(CLOSES, DET, unbent),
         "A leg opened or bent to the other side, or det A passed zero: reset, and look for a way around.",

@@ -16,7 +16,7 @@ HOME = (0.32, 0.2, -40)  # pose f of the notebook, but for its pitch
 
 
 def pitches_at_a_point(geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """A point to be dragged and a pitch; both shapes, all pitches of the point, and where the arm is within limits."""
+    """A point to be dragged and a pitch; both shapes, all pitches there, and where the arm is within its limits."""
     (_, r, z, pitch, _), size, far = TASK, sum(geometry), sum(geometry) - geometry.d_1
     (r_wrist, h), (_, L_1, L_2, L_3) = WRIST, P
     cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)

@@ -22,7 +22,7 @@ def values_of(symbols: Sequence[sp.Symbol], geometry: Sequence[float]) -> dict[s
 def arm_in_space(
     frames: Sequence[sp.Matrix], size: float, when: sp.Expr = ALWAYS, gripper: bool = True, pale: bool = False
 ) -> list[Body]:
-    """The arm with the poses T_0_1 to T_0_5 of its frames, as thick as suits an arm of this ``size`` (its length)."""
+    """The arm whose frames have the poses T_0_1 to T_0_5, as thick as suits an arm of this ``size``."""
     shoulder, elbow, wrist, tip = (frames[i][:3, 3].T for i in (0, 1, 2, 4))
     x, z, u = frames[4][:3, 0].T, frames[4][:3, 2].T, size / 0.6
     colours = ("pale", "pale", "pale") if pale else ("steel", "joint", "x")
@@ -91,5 +91,5 @@ def chosen(symbol: sp.Symbol, *cases: tuple[float, sp.Expr]) -> sp.Expr:
 
 
 def light(expr: sp.Matrix) -> sp.Matrix:
-    """The same with ``least`` and ``largest`` for SymPy's Min and Max, which take long over what replaces a symbol."""
+    """The same with ``least`` and ``largest`` for Min and Max, which take long over what replaces a symbol."""
     return expr.replace(sp.Min, least).replace(sp.Max, largest)

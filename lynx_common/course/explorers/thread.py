@@ -22,7 +22,7 @@ ASKED = 0.02  # m, the clearance of the challenge
 
 
 def thread_around_a_ball(geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """The ball to be dragged, its size and a margin; the gripper's shortest way, and the arm at any share of it."""
+    """The ball to be dragged, its size and a margin; the gripper's shortest way, and the arm on it."""
     let = _way() | _posture()
     points, size = side_view(POSTURE), sum(geometry)
     shown = least(REACHED, ENDS)
@@ -72,7 +72,7 @@ def _from_centre(point: tuple) -> sp.Matrix:
 
 
 def _way() -> dict[sp.Symbol, sp.Expr]:
-    """(r, z, pitch) at SHARE of the way: tangent, arc, tangent on the shorter side; straight where that is clear."""
+    """(r, z, pitch) at SHARE of the way: tangent, arc, tangent on the shorter side; or straight, where clear."""
     first, last = map(_from_centre, (START, END))
     away = [sp.sqrt(v.dot(v)) for v in (first, last)]
     names = "begin t_first t_last turned_left turned_right arc turn gone on_arc at"

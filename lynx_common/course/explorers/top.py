@@ -16,7 +16,7 @@ JUMP = 60  # degrees, from one step of the slider to the next
 
 
 def change_of_branch(geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """A slider leads the gripper over the base; left the arm stays front and up, right the reader takes the branch."""
+    """A slider leads the gripper over the base; left front and up all the way, right as the reader chooses."""
     size, far = sum(geometry), round(0.4 * (sum(geometry) - geometry.d_1), 2)
     height = round(geometry.d_1 + geometry.L_3 + 0.75 * (geometry.L_1 + geometry.L_2), 3)
     let, branches = {}, []

@@ -1,4 +1,4 @@
-"""What a stage is made of: views and what is drawn in them, controls, words, a motion, challenges; all plain data."""
+"""What a stage is made of: views and what is in them, controls, words, a motion, challenges; all plain data."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -37,7 +37,7 @@ class Line:
     """A line through ``points``, (n, 2) in a plane and (n, 3) in space, shown ``when`` a number is not negative.
 
     A curve is one point, (1, 2) or (1, 3), that depends on a parameter: ``along`` = (symbol, first, last, pieces).
-    With ``trail`` the line is the way of its one point during the motion. A line without width shows only its dots.
+    With ``trail`` the line is the way of its one point in the motion. Without width it shows only its dots.
     """
 
     points: sp.Matrix
@@ -56,8 +56,8 @@ class Line:
 class Body:
     """A round rod about the line through ``points``; a ball, where that is one point.
 
-    ``radius`` is an expression. With ``flat`` ends it is a cylinder, such as a joint about its axis; with ``clear``
-    one sees through it.
+    ``radius`` is an expression. With ``flat`` ends it is a cylinder, such as a joint about its axis; with
+    ``clear`` one sees through it.
     """
 
     points: sp.Matrix
@@ -126,8 +126,8 @@ class Plane:
 class Space:
     """A view in space that can be turned, over a floor at z = 0 with a grid.
 
-    It looks at ``centre`` and holds all within ``radius`` of it. ``turn`` and ``tilt`` are in degrees: 0 and 0 has x
-    to the right and z up, 0 and 90 is seen from above.
+    It looks at ``centre`` and holds all within ``radius`` of it. ``turn`` and ``tilt`` are in degrees: 0 and 0 has
+    x to the right and z up, 0 and 90 is seen from above.
     """
 
     centre: tuple[float, float, float]

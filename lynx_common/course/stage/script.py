@@ -19,7 +19,7 @@ DIGITS = 9  # significant ones of each number in a page; more would differ betwe
 
 
 class least(sp.Function):
-    """The smallest of its arguments, as ``sp.Min``, which compares long expressions with each other for seconds."""
+    """The smallest of its arguments, as ``sp.Min``, which compares long expressions for seconds."""
 
 
 class largest(sp.Function):

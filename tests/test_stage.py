@@ -50,6 +50,9 @@ def rng():
     return np.random.default_rng(11)
 
 
+ONE = (Slider(X, "x", 0, 1, 0.5, 0.1, "m"),)
+
+
 def plane(*items, low=(0, 0), high=(1, 1), handles=()):
     return Plane("x [m]", "y [m]", low, high, 0.5, items, handles)
 
@@ -58,9 +61,7 @@ def space(*items, handles=(), turn=0, tilt=0):
     return Space((0, 0, 0), 1, 0.5, items, handles, turn=turn, tilt=tilt)
 
 
-def opened(
-    views=(), controls=(Slider(X, "x", 0, 1, 0.5, 0.1, "m"),), words=(), fixed=None, title="a stage", **more
-):
+def opened(views=(), controls=ONE, words=(), fixed=None, title="a stage", **more):
     views = views if isinstance(views, list | tuple) else [views]
     return FakePage(stage(views, controls, words, fixed or {}, title, **more))
 
@@ -438,7 +439,7 @@ def test_the_speed_goes_round():
     page.frames(0, 200)
     for factor in (2, 0.25, 0.5, 1):
         page.click("speed")
-        assert page.run("byName.speed.textContent") == f"{factor}×".replace("0.", "0.")
+        assert page.run("byName.speed.textContent")[:-1] == str(factor)
         first, stamp = page.run("share"), page.run("waiting.length")
         assert stamp == 1
         page.frames(1000, 1200)

@@ -42,11 +42,8 @@ def branches_of_a_target(
     The three formulas are those of notebook A3: ``wrist`` is (r_wrist, h) in the symbols of task coordinates,
     ``cosine`` that of theta_3 in r_wrist and h, ``shoulder`` theta_2 in r_wrist, h and theta_3.
     """
-    (r_wrist, h), (_, L_1, L_2, _) = WRIST, P
     if wrist is None:
-        wrist = formulas.wrist()
-        cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
-        shoulder = sp.atan2(h, r_wrist) - sp.atan2(L_2 * sp.sin(Q[2]), L_1 + L_2 * sp.cos(Q[2]))
+        wrist, cosine, shoulder = three_formulas()
     let = both_elbows(wrist, cosine, shoulder)
     own, other = sp.symbols("own_1:6", real=True), sp.symbols("other_1:6", real=True)
     let |= {symbol: chosen(ELBOW, (1, up), (-1, down)) for symbol, up, down in zip(own, UP, DOWN, strict=True)}
@@ -57,8 +54,16 @@ def branches_of_a_target(
     return stage(views, _controls(geometry), _words(), fixed, title, challenges=_challenges(own), let=let)
 
 
+def three_formulas() -> tuple[sp.Matrix, sp.Expr, sp.Expr]:
+    """Those of notebook A3: the wrist, the cosine of theta_3, and theta_2."""
+    (r_wrist, h), (_, L_1, L_2, _) = WRIST, P
+    cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
+    shoulder = sp.atan2(h, r_wrist) - sp.atan2(L_2 * sp.sin(Q[2]), L_1 + L_2 * sp.cos(Q[2]))
+    return formulas.wrist(), cosine, shoulder
+
+
 def both_elbows(wrist: sp.Matrix, cosine: sp.Expr, shoulder: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """The wrist, its distance and slack, and the joint angles with the elbow UP and DOWN, by name; in TASK and P."""
+    """The wrist, its distance and slack, and the joint angles with the elbow UP and DOWN, in TASK and P."""
     let = dict(zip(WRIST, wrist, strict=True))
     let[DISTANCE] = sp.sqrt(WRIST[0] ** 2 + WRIST[1] ** 2)
     let[REACHED] = room(DISTANCE, P[1], P[2])

@@ -185,7 +185,7 @@ def _other_mode(pose: np.ndarray) -> Challenge:
     unbent = -largest(*(magnitude(s - side) for s, side in zip(SIGMA, MODE, strict=True)))
     return Challenge(
         "Bring the platform onto the dashed one without crossing det A = 0, the legs bent as they are.",
-        "The motors are where they began, the platform is not: another assembly mode, and no singularity on the way.",
+        "The motors are where they began, the platform is not: another assembly mode, no singularity between.",
         least(6 - gap, sp.pi / 60 - turn),
         least(CLOSES, DET, unbent),
         "A leg opened or bent to the other side, or det A passed zero: reset, and look for a way around.",

@@ -5,10 +5,9 @@ import sympy as sp
 from IPython.display import HTML
 
 from ... import arm
-from ...arm import formulas
-from ...symbolic import TASK, WRIST, XYZ, P, Q
+from ...symbolic import TASK, XYZ, P
 from ..stage import Challenge, Handle, Level, Line, Plane, Slider, Words, largest, least, stage
-from .branches import DISTANCE, DOWN, REACHED, UP, arm_from_the_side, both_elbows, within_limits
+from .branches import DISTANCE, DOWN, REACHED, UP, arm_from_the_side, both_elbows, three_formulas, within_limits
 from .solids import DEGREES, circle, values_of
 
 INSIDE, COLOURS = sp.symbols("inside_up inside_down", real=True), ("right", "target")
@@ -16,12 +15,10 @@ HOME = (0.32, 0.2, -40)  # pose f of the notebook, but for its pitch
 
 
 def pitches_at_a_point(geometry: arm.Geometry = arm.LYNX) -> HTML:
-    """A point to be dragged and a pitch; both shapes, all pitches there, and where the arm is within its limits."""
+    """A point to be dragged, and a pitch; all pitches there, both elbows, and where they are within limits."""
     (_, r, z, pitch, _), size, far = TASK, sum(geometry), sum(geometry) - geometry.d_1
-    (r_wrist, h), (_, L_1, L_2, L_3) = WRIST, P
-    cosine = (r_wrist**2 + h**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
-    shoulder = sp.atan2(h, r_wrist) - sp.atan2(L_2 * sp.sin(Q[2]), L_1 + L_2 * sp.cos(Q[2]))
-    let = both_elbows(formulas.wrist(), cosine, shoulder)
+    L_3 = P[3]
+    let = both_elbows(*three_formulas())
     let |= {slack: least(REACHED, within_limits(q)) for slack, q in zip(INSIDE, (UP, DOWN), strict=True)}
     items = [Level(slack, (r, z), colour, 0.2) for slack, colour in zip(INSIDE, COLOURS, strict=True)]
     items += [*_wrists(), circle((r, z), L_3, "aid")]

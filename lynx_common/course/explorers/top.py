@@ -33,8 +33,17 @@ def change_of_branch(geometry: arm.Geometry = arm.LYNX) -> HTML:
         row = f"{'left ' if q is branches[0] else 'right'}{{}}°{{}}°{{}}°{{}}°{{}}°"
         words.append(Words(row, [DEGREES * angle for angle in q], 0, columns=True))
     words.insert(0, Words(" " * 8 + "θ₁   θ₂   θ₃   θ₄   θ₅", columns=True))
+    controls = [Slider(PLACE, "x", -far, far, far, 0.01, "m"), Choice(BRANCH, "branch", NAMED, 1)]
+    title = (
+        "Two arms lead the gripper over the base; a slider for its place, a choice for the branch of the right one"
+    )
+    fixed = values_of(P, geometry)
+    return stage(views, controls, words, fixed, title, challenges=[_challenge(far)], let=let)
+
+
+def _challenge(far: float) -> Challenge:
     jump = largest(*(magnitude(q - before(q)) for q in OWN))
-    challenge = Challenge(
+    return Challenge(
         "Lead the right arm over the base to the left end without a jump. Where, and into which branch, do you "
         "have to change?",
         "Over the base, front and up became back and down: there both are one posture.",
@@ -42,12 +51,6 @@ def change_of_branch(geometry: arm.Geometry = arm.LYNX) -> HTML:
         sp.pi * JUMP / 180 - jump,
         f"A joint jumped by {JUMP}° or more: reset.",
     )
-    controls = [Slider(PLACE, "x", -far, far, far, 0.01, "m"), Choice(BRANCH, "branch", NAMED, 1)]
-    title = (
-        "Two arms lead the gripper over the base; a slider for its place, a choice for the branch of the right one"
-    )
-    fixed = values_of(P, geometry)
-    return stage(views, controls, words, fixed, title, challenges=[challenge], let=let)
 
 
 def _angles(side: str, elbow: str, far: float, height: float) -> list[sp.Expr]:

@@ -56,9 +56,9 @@ def stage(
 ) -> HTML:
     """Views that follow the controls, the handles and the motion; words and challenges below.
 
-    ``let`` gives names to intermediate results, each in terms of those before it; ``fixed`` holds the values of all
-    other symbols; ``title`` is what a reader hears who cannot see it. The same input gives the same page, to the
-    letter. Raises InputError for a colour that the page does not have, a motion that is not a table of finite
+    ``let`` gives names to intermediate results, each in terms of those before it; ``fixed`` holds the values of
+    all other symbols; ``title`` is what a reader hears who cannot see it. The same input gives the same page, to
+    the letter. Raises InputError for a colour that the page does not have, a motion that is not a table of finite
     numbers, and symbols whose value nothing gives.
     """
     writer = _Writer(controls, motion, fixed, let or {})

@@ -11,7 +11,7 @@ from fake_browser import FakePage, page_in
 
 from lynx_common import arm, dh, motion, obstacles, rrr, workspace
 from lynx_common.course import explorers
-from lynx_common.drawing.arm import gripper
+from lynx_common.drawing import gripper
 from lynx_common.errors import InputError, LynxError
 from lynx_common.symbolic import TASK, WRIST, P, Q, tidy
 

@@ -51,7 +51,7 @@ def arm_in_motion(
     words = _angles(Q) + [
         Words(f"{'gripper' if gripper else 'end'} at {{}}, {{}}, {{}} {unit}".rstrip(), list(tip))
     ]
-    view = _seen(arm.joint_positions(q, geometry), size, parts)
+    view = _seen([arm.joint_positions(q, geometry), *still, *([] if items is None else [items])], size, parts)
     motion = Motion(columns, seconds, title)
     return stage([view], [], words, values_of(P, geometry), title, motion)
 
@@ -66,7 +66,7 @@ def two_motions(motions: Mapping[str, np.ndarray], seconds: float = 8, geometry:
         columns |= dict(zip(symbols, q.T, strict=True))
         frames = frames_of(symbols)
         parts = [*arm_in_space(frames, size), Line(frames[4][:3, 3].T, "z", 2, trail=True)]
-        views.append(_seen(arm.joint_positions(q, geometry), size, parts, name))
+        views.append(_seen([arm.joint_positions(q, geometry)], size, parts, name))
         words += [Words(name), *_angles(symbols)]
     title = "Two motions of the arm side by side: " + " and ".join(motions)
     return stage(views, [], words, values_of(P, geometry), title, Motion(columns, seconds, "both motions"))
@@ -91,11 +91,12 @@ def _motion(q: np.ndarray) -> np.ndarray:
     return q
 
 
-def _seen(points: np.ndarray, size: float, parts: list, title: str = "") -> Space:
-    """A view that holds all points of a motion, (n, 5, 3)."""
-    low, high = points.reshape(-1, 3).min(axis=0), points.reshape(-1, 3).max(axis=0)
-    middle = np.append((low + high)[:2] / 2, 0.36 * size)
-    far = max(0.5 * size, np.linalg.norm((points - middle).reshape(-1, 3), axis=1).max())
+def _seen(points: Sequence[np.ndarray], size: float, parts: list, title: str = "") -> Space:
+    """A view that holds all the points, (..., 3), of a motion of an arm of this size."""
+    points = np.concatenate([np.reshape(some, (-1, 3)) for some in points])
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle = np.append((low + high)[:2] / 2, 0.3 * size)
+    far = max(0.65 * size, 1.15 * np.linalg.norm(points - middle, axis=1).max())
     return Space(tuple(np.round(middle, 4).tolist()), round(float(far), 4), round(size / 6, 4), parts, title=title)
 
 

@@ -90,7 +90,8 @@ def _area() -> sp.Expr:
 
     At the distance rho the wrist's direction has a range as wide as w, that of theta_2, turned by theta_3/2 to
     one side for theta_3 > 0 and to the other for theta_3 < 0. Together they cover a full turn, less a gap between
-    them of |theta_3| - w and one behind of a full turn less w + |theta_3|, where these are not negative. With rho d rho = L^2 sin(theta_3) d theta_3 the integral is elementary.
+    them of |theta_3| - w and one behind of a full turn less w + |theta_3|, where these are not negative. With
+    rho d rho = L^2 sin(theta_3) d theta_3 the integral is elementary.
     """
     low_2, high_2, low_3, high_3 = LIMITS
     w, zero = high_2 - low_2, sp.Integer(0)

@@ -119,7 +119,7 @@ function drawSpace(pen, view, camera, items, look) {
 function axes(pen, {x, y, low, high, tick}, frame, look) {
   const [left, top, width, height] = frame.box, name = v => String(+v.toFixed(6)).replace("-", MINUS);
   const ticks = i => Array.from({length: Math.floor(high[i] / tick + 1e-9) - Math.ceil(low[i] / tick - 1e-9) + 1}, (_, k) => (Math.ceil(low[i] / tick - 1e-9) + k) * tick);
-  const [xs, ys] = [ticks(0), ticks(1)].map(all => all.filter(v => all.length < 8 || Math.round(v / tick) % 2 === 0));
+  const [xs, ys] = [ticks(0), ticks(1)].map((all, i) => all.filter(v => frame.scale * tick > 36 - 14 * i || Math.round(v / tick) % 2 === 0));
   for (const v of ticks(0)) { const [a] = frame.place([v, 0]); stroke(pen, [[a, top], [a, top + height]], Math.abs(v) < 1e-9 ? look.axis : look.grid, 1); }
   for (const v of ticks(1)) { const [, b] = frame.place([0, v]); stroke(pen, [[left, b], [left + width, b]], Math.abs(v) < 1e-9 ? look.axis : look.grid, 1); }
   for (const v of xs) write(pen, name(v), frame.place([v, 0])[0], top + height + 12, look.muted, "center", 11);

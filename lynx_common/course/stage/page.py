@@ -74,14 +74,23 @@ def stage(
         "fixed": [float(value) for value in fixed.values()],
         "colours": [LIGHT, DARK],
     }
+    return HTML(_framed(_page(facts, writer.script()), title))
+
+
+def _page(facts: dict, formulas_: str) -> str:
+    """The whole page, its numbers with so many digits as all processors agree on."""
     facts = json.loads(json.dumps(facts), parse_float=lambda number: float(f"{float(number):.{DIGITS}g}"))
     data = json.dumps(facts, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")  # ends no script
-    files = {name.upper(): _bare(FOLDER / f"{name}.js") for name in ("geometry", "drawing", "stage")}
-    filled = files | {"FACTS": data, "FORMULAS": writer.script()}
+    filled = {name.upper(): _bare(FOLDER / f"{name}.js") for name in ("geometry", "drawing", "stage")}
+    filled |= {"FACTS": data, "FORMULAS": formulas_}
     page = (FOLDER / "stage.html").read_text(encoding="utf-8")
-    text = sub("|".join(filled), lambda name: filled[name[0]], page)  # in one pass: a text may be a name
-    within = text.replace("&", "&amp;").replace("'", "&#39;")  # half as long as with every quote escaped
-    return HTML(
+    return sub("|".join(filled), lambda name: filled[name[0]], page)  # in one pass: a text may be a name
+
+
+def _framed(page: str, title: str) -> str:
+    """An iframe that holds the page itself, in apostrophes: half as long as with every quote escaped."""
+    within = page.replace("&", "&amp;").replace("'", "&#39;")
+    return (
         f"<div><iframe srcdoc='{within}' title=\"{html.escape(title)}\" "
         'style="width:100%;height:640px;border:0;display:block"></iframe></div>'
     )

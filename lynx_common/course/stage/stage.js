@@ -47,6 +47,7 @@ const canvases = views.map((view, k) => {
   const canvas = element("canvas", {tabIndex: view.centre ? 0 : -1}), box = element("div", {className: "view"}, canvas);
   if (view.title) box.append(element("div", {className: "title", textContent: view.title}));
   canvas.setAttribute("role", "img");
+  if (view.centre) canvas.title = "Drag to turn" + (view.handles.length ? ", the ring to move" : "");
   byId("views").append(box);
   listen(canvas, view, k);
   return canvas;

@@ -29,7 +29,7 @@ def _short(number: str) -> str:
     return number.rstrip("0").rstrip(".")
 
 
-def in_degrees(angles: Iterable[float]) -> str:
+def _in_degrees(angles: Iterable[float]) -> str:
     """Angles in radians as text, in degrees to two decimals."""
     return ", ".join(f"{degrees(angle):z.2f}" for angle in angles)
 
@@ -131,7 +131,7 @@ class NotFreeError(LynxError):
 
     def __init__(self, q: Iterable[float]):
         self.q = q
-        super().__init__(f"The posture ({in_degrees(q)}) deg is not free.")
+        super().__init__(f"The posture ({_in_degrees(q)}) deg is not free.")
 
 
 class NoPathError(LynxError):
@@ -165,7 +165,7 @@ class NoPoseError(LynxError):
     def __init__(self, theta: list[float]):
         self.theta = theta
         super().__init__(
-            f"With the motors at {in_degrees(theta)} deg there is no pose of the platform that all legs reach."
+            f"With the motors at {_in_degrees(theta)} deg there is no pose of the platform that all legs reach."
         )
 
 
@@ -175,7 +175,7 @@ class SelfMotionError(LynxError):
     def __init__(self, theta: list[float]):
         self.theta = theta
         super().__init__(
-            f"With the motors locked at {in_degrees(theta)} deg the platform can still move: "
+            f"With the motors locked at {_in_degrees(theta)} deg the platform can still move: "
             "they do not fix its pose."
         )
 

@@ -134,7 +134,7 @@ def section(limits: ArrayLike, point: str = "wrist", *, geometry: arm.Geometry =
     theta_1 does not matter to it, nor theta_4 to the wrist. The gripper's section is known where theta_2 and
     theta_3 can move and theta_4 turns fully; InputError otherwise.
 
-    Source: notebook A2, sections 4 and 7.
+    Source: notebook A2, sections 2 and 4.
 
     >>> ring = section(np.deg2rad([[0, 0], [0, 360], [0, 180], [0, 0]]))  # all that the two links reach
     >>> round(ring.area / np.pi, 6)

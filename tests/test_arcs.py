@@ -173,3 +173,9 @@ def test_bad_circles_are_refused(circles, sentence):
 def test_bad_annuli_are_refused(ring, sentence):
     with pytest.raises(InputError, match=sentence):
         annulus(*ring)
+
+
+@pytest.mark.parametrize("radius", [-0.1, np.nan, [1, 2], 1j])
+def test_around_asks_for_one_radius(radius):
+    with pytest.raises(InputError, match="radius"):
+        LENS.around(radius)

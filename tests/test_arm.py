@@ -208,12 +208,22 @@ def test_a_geometry_and_the_limits_cannot_be_changed_by_accident():
         arm.LYNX.d_1 = 0.2
     with pytest.raises(ValueError, match="read-only"):
         arm.JOINT_LIMITS[0, 0] = 0
+    with pytest.raises(ValueError, match="read-only"):
+        arm.SERVO_LIMITS[0, 0] = 0
 
 
 def test_joint_limits_hold_the_angles_of_table_1_3():
     q = np.pi / 180 * np.array([60, 45, -30, 60, 30])
     assert ((arm.JOINT_LIMITS[:, 0] <= q) & (q <= arm.JOINT_LIMITS[:, 1])).all()
     assert arm.JOINT_LIMITS.shape == (5, 2)
+
+
+def test_servos_turn_90_deg_to_either_side_of_the_arm_straight_up_within_the_joint_limits():
+    upright = arm.SERVO_LIMITS.mean(axis=1)
+    np.testing.assert_allclose(arm.joint_positions(upright)[-1], [0, 0, sum(arm.LYNX)], atol=1e-12)
+    np.testing.assert_allclose(np.ptp(arm.SERVO_LIMITS, axis=1), np.pi)
+    assert (arm.SERVO_LIMITS[:, 0] >= arm.JOINT_LIMITS[:, 0]).all()
+    assert (arm.SERVO_LIMITS[:, 1] <= arm.JOINT_LIMITS[:, 1]).all()
 
 
 def test_the_symbols_of_the_table_are_the_course_s():

@@ -145,6 +145,21 @@ def test_the_schema_names_every_joint_angle_length_and_axis():
     plt.close(fig)
 
 
+def test_the_link_is_named_and_its_steps_are_marked_where_they_are_taken():
+    fig, ax = plt.subplots()
+    drawing.link_schema(ax)
+    at = {text.get_text(): np.array(getattr(text, "xy", text.get_position())) for text in ax.texts}
+    assert {"$d$", "$a$", r"$\theta$", r"$\alpha$", "1", "2", "3", "4"} <= at.keys()
+    steps = [np.array(text.xy) for text in ax.texts if text.get_text() == "1"]
+    foot, tip = np.transpose(ax.lines[0].get_data())[1:]
+    axes = [np.transpose(line.get_data()) for line in ax.lines if line.get_linestyle() == "--"]
+    for axis in axes:  # one mark on each joint axis
+        assert min(np.abs(axis - step).max(axis=1).min() for step in steps) < 1e-12
+    np.testing.assert_allclose(at["3"], tip)
+    assert abs(np.linalg.det([at["2"] - foot, tip - foot])) < 1e-12  # on the common normal
+    plt.close(fig)
+
+
 def test_the_triangle_is_named_and_its_arcs_are_the_joints_own_angles():
     fig, ax = plt.subplots()
     drawing.triangle_schema(ax)
@@ -208,6 +223,7 @@ def test_each_square_stands_where_its_centre_is(views):
     np.testing.assert_allclose(y, [-0.2, 0.3])
     np.testing.assert_array_equal(image.get_array()[0], values[:, 0])  # the lowest row
     assert [image.origin, image.get_clim()] == ["lower", (0, 9)]
+    drawing.squares(views[1], values > 2, [0.1, -0.2], 0.5)  # truth values, too
     few, many = image.cmap([0.0, 1.0])[:, :3].sum(axis=1)
     assert many < few  # darker
     views[1].get_figure().draw_without_rendering()

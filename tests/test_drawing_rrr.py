@@ -124,6 +124,7 @@ def test_each_part_has_its_colour_and_its_name(ax):
     assert len({line.get_color() for line in artists}) == len(STYLES)
     assert {line.get_color() for line in artists} <= set(drawing.COLOURS.values())
     assert {line.get_alpha() for line in artists} == {0.4}
+    assert [line.get_markersize() for line in artists] == [9, 5, 5, 5, 5, 11]
 
 
 @pytest.mark.parametrize("geometry", [rrr.RRR, OTHER])

@@ -37,7 +37,7 @@ CALLS: dict[type[LynxError], Callable] = {
     errors.JointLimitError: lambda: arm.solve([0.2, 0, -0.1], 0.0),
     errors.NotAchievableError: lambda: arm.task_of_pose(tilted()),
     errors.LedgerError: lambda: report.check("Fig. 1.2", np.zeros(3)),
-    errors.UnknownNameError: lambda: exercises.check("A1.9", 0),
+    errors.UnknownNameError: lambda: exercises.find("A1.9"),
     errors.JumpError: lambda: motion.duration(np.outer([0, 2, 4, 6], np.ones(5)), 1.0, 1.0),
     errors.PathError: lambda: motion.follow(motion.line(NEAR, FAR)(np.linspace(0, 1, 50))).failure,
     errors.CollisionError: lambda: (

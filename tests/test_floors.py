@@ -1,6 +1,11 @@
 """A module of lynx_common imports only from lower floors, and none grows too large."""
 
 import ast
+import importlib
+import inspect
+import json
+import pkgutil
+import re
 import subprocess
 import sys
 import tomllib
@@ -9,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import lynx_common
+from lynx_common import arcs, arm, certify, drawing, motion, planner, reading, rrr, screws, symbolic
 
 PACKAGE = Path(lynx_common.__file__).parent
 FLOORS = {
@@ -52,6 +58,16 @@ def test_a_module_and_its_functions_are_small():
         assert len(source.splitlines()) < MODULE_LINES, path
         functions = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.FunctionDef)]
         assert [f.name for f in functions if lines_of_code(f, source) > FUNCTION_LINES] == [], path
+
+
+FOLDERS = [arcs, arm, certify, drawing, motion, planner, reading, rrr, screws, symbolic]
+
+
+@pytest.mark.parametrize("room", FOLDERS, ids=lambda room: room.__name__)
+def test_completion_offers_what_a_room_holds_and_none_of_its_files(room):
+    offered = [name for name in dir(room) if not name.startswith("_")]
+    assert offered
+    assert [name for name in offered if inspect.ismodule(getattr(room, name))] in ([], ["formulas"])
 
 
 def test_the_arm_needs_no_picture_no_widget_and_no_course():
@@ -152,3 +168,54 @@ def third_parties(source: str) -> set[str]:
     names |= {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom) and not node.level}
     roots = {name.split(".")[0] for name in names} - sys.stdlib_module_names - {"", "lynx_common"}
     return {NAMES.get(root, root.replace("_", "-")) for root in roots}
+
+
+# Lines of Python, JavaScript and HTML, with docstrings and examples: what somebody has to read.
+LARGEST = {"robotics": 5300, "course": 5000}
+
+
+def test_the_package_stays_small():
+    lines = {"robotics": 0, "course": 0}
+    for path in PACKAGE.rglob("*"):
+        if path.suffix in (".py", ".js", ".html", ".css"):
+            half = "course" if path.relative_to(PACKAGE).parts[0] == "course" else "robotics"
+            lines[half] += len(path.read_text("utf-8").splitlines())
+    assert {half: lines[half] for half in lines if lines[half] > LARGEST[half]} == {}
+
+
+# Public, though no notebook and no other room calls them: why.
+RESULTS = {
+    "certify.Certificate": "what along and over return",
+    "motion.Followed": "what follow returns",
+    "motion.trapezoidal": "the time scaling of most robot controllers",
+    "planner.Plan": "what plan returns",
+    "screws.Screw": "what screw_axis returns",
+    "workspace.Occupancy": "what occupancy returns",
+    "workspace.Sweep": "what sweep returns",
+}
+
+
+def test_what_is_public_is_used():
+    cells = [
+        "".join(cell["source"])
+        for path in (PACKAGE.parent / "notebooks").glob("*.ipynb")
+        for cell in json.loads(path.read_text("utf-8"))["cells"]
+        if cell["cell_type"] == "code"
+    ]
+    sources = [(dotted(path).split(".")[0], path.read_text("utf-8")) for path in SOURCES]
+    unused = set()
+    for _, room, _ in pkgutil.iter_modules([str(PACKAGE)]):
+        elsewhere = "\n".join([*cells, *(text for other, text in sources if other != room)])
+        unused |= {f"{room}.{name}" for name in offered(room) if not re.search(rf"\b{name}\b", elsewhere)}
+    assert unused == RESULTS.keys()
+
+
+def offered(room: str) -> list[str]:
+    """The functions and classes that a room offers under its name."""
+    module = importlib.import_module(f"lynx_common.{room}")
+    own = f"lynx_common.{room}"
+    return [
+        name
+        for name, thing in vars(module).items()
+        if callable(thing) and not name.startswith("_") and (thing.__module__ or "").startswith(own)
+    ]

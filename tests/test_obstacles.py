@@ -210,6 +210,17 @@ def test_the_bound_of_one_piece_is_the_value_in_its_middle_less_half_its_length(
     assert found.bound == pytest.approx(5.5 - 2 * 5 / 2)
 
 
+def test_the_bound_is_the_least_of_all_rounds():
+    """The first piece, where f is lowest, is done with at once; the last one has to be halved."""
+
+    def f(q):
+        return np.clip(q[:, 0] - 0.05, 0.15, 0.45)
+
+    found = certify.along(f, 1.0, np.array([[0.0], [0.2], [0.5], [1.5]]))
+    assert (found.verdict, found.evaluations) == ("certified", 7 + 2)
+    assert found.bound == pytest.approx(0.05)
+
+
 def test_clear_motions_of_the_arm_are_certified_and_the_report_s_detour_is_not():
     """Table 1.5 c to d, straight in task coordinates, runs through the report's obstacle with the elbow."""
     task = motion.line([0, 0, 0.6, np.pi / 2, 0], [0, -0.2, 0.4, np.pi, 0])(np.linspace(0, 1, 101))

@@ -176,6 +176,14 @@ def planner_first_step(seed, step):
     return np.linalg.norm(new)
 
 
+def test_a_step_goes_from_the_nearest_posture_of_the_tree():
+    grown = Tree(np.zeros(2), np.array([9.0, 9.0]), 5)
+    for y in (1.0, 2.0):
+        grown.add(np.array([0.0, y]), 0, y)
+    grow(grown, everywhere, np.array([0.0, 3.0]), 0.25)
+    assert grown.q[4].tolist() == [0, 2.25]
+
+
 # The tree
 
 

@@ -28,7 +28,8 @@ class Region:
     """
 
     def __init__(self, circles: ArrayLike, contains: Callable[[np.ndarray], np.ndarray]):
-        self.circles, self._contains = finite(circles, "circles, rows of x, y and radius", None, 3), contains
+        self.circles = finite(circles, "circles, rows of x, y and radius", None, 3)
+        self._contains = contains
         if (self.circles[:, 2] < 0).any():
             raise InputError(f"A circle's radius is not negative; {self.circles[:, 2].min():g} was given.")
 
@@ -56,6 +57,7 @@ class Region:
         >>> round(annulus(0, 0, 0, 2).around(3).area / np.pi, 6)  # a ring, from 1 to 5
         24.0
         """
+        radius = number(radius, "radius", least=0)
         x, y, rho, _, sweep = self.arcs.T
         corners = self.ends[abs(sweep) < 2 * np.pi].reshape(-1, 2)
         circles = [
@@ -78,7 +80,7 @@ class Region:
             return np.empty((0, 5))
         cuts = [cuts_of(circles, i) for i in range(len(circles))]
         sides = self._sides(circles, cuts)
-        return np.concatenate([boundary_arcs(*one) for one in zip(circles, cuts, sides, strict=True)])
+        return np.concatenate(list(map(boundary_arcs, circles, cuts, sides)))
 
     def _sides(self, circles: np.ndarray, cuts: list[np.ndarray]) -> list[np.ndarray]:
         """On which side of each piece the region lies, circle by circle; as ``boundary_arcs`` asks for it.

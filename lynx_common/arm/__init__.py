@@ -12,29 +12,7 @@ everywhere, over the base axis too. (position, pitch, roll) is a reader's chart 
 
 from ..symbolic import P, Q
 from . import formulas
-from .forward import forward_kinematics, jacobian, joint_positions, link_frames, task_coordinates
-from .geometry import JOINT_LIMITS, LYNX, Geometry, dh_table, into_limits, within_limits
-from .inverse import BRANCHES, inverse_kinematics, joint_angles
-from .target import solve, task_of_pose
-
-__all__ = [
-    "BRANCHES",
-    "JOINT_LIMITS",
-    "LYNX",
-    "Geometry",
-    "P",
-    "Q",
-    "dh_table",
-    "formulas",
-    "forward_kinematics",
-    "into_limits",
-    "inverse_kinematics",
-    "jacobian",
-    "joint_angles",
-    "joint_positions",
-    "link_frames",
-    "solve",
-    "task_coordinates",
-    "task_of_pose",
-    "within_limits",
-]
+from ._forward import forward_kinematics, jacobian, joint_positions, link_frames, task_coordinates
+from ._geometry import AT_LIMIT, JOINT_LIMITS, LYNX, SERVO_LIMITS, Geometry, dh_table, into_limits, within_limits
+from ._inverse import BRANCHES, inverse_kinematics, joint_angles, out_of_reach
+from ._target import solve, task_of_pose

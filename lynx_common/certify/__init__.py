@@ -4,7 +4,5 @@ Nothing here knows a robot or an obstacle. Along a motion the quantity is a func
 Lipschitz constant; over a box it is whatever ``symbolic.enclose`` gives bounds of.
 """
 
-from .boxes import holds, over
-from .motion import Certificate, along
-
-__all__ = ["Certificate", "along", "holds", "over"]
+from ._boxes import holds, over
+from ._motions import Certificate, along

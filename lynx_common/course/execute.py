@@ -104,8 +104,8 @@ def make_figures(name: str) -> int:
     catalogue = {path: numbers for path in sorted(NOTEBOOKS.glob("*.ipynb")) if (numbers := published(path))}
     paths, environment = needed_for(name, catalogue)
     if name and not paths:
-        numbers = {number for numbers in catalogue.values() for number in numbers}
-        valid = [*map(short_name, catalogue), *sorted(numbers, key=natural)]
+        known = {number for numbers in catalogue.values() for number in numbers}
+        valid = [*map(short_name, catalogue), *sorted(known, key=natural)]
         print(f"No notebook or figure is called {name!r}. Valid: {', '.join(valid)}.", file=sys.stderr)
         return 2
     FIGURES.mkdir(exist_ok=True)

@@ -11,6 +11,7 @@ import numpy as np
 from IPython.display import Image, Markdown, display
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 from PIL import Image as Picture
 
 from ..errors import InputError
@@ -57,10 +58,12 @@ def movie(fig: Figure, draw: Callable[[int], None], frames: int, number: str, se
 def _stem(number: str) -> Path | None:
     """Where files of figure ``number`` belong, without a suffix; None where they are not asked for."""
     if not re.fullmatch(r"\d\.\d+[a-h]?|[a-z]+", number):
-        raise InputError(f"A figure has a number, as 1.2 or 1.3a, or a name, as card; {number!r} was given.")
+        expected = "a number, such as 1.2 or 1.3a, or a name, such as card"
+        raise InputError(f"A figure has {expected}; {number!r} was given.")
     folder = os.environ.get("LYNX_FIGURES")
-    wanted = folder and is_called(number, os.environ.get("LYNX_FIGURE", number))
-    return Path(folder) / f"fig-{number}" if wanted else None
+    if not folder or not is_called(number, os.environ.get("LYNX_FIGURE", number)):
+        return None
+    return Path(folder) / f"fig-{number}"
 
 
 def show(fig: Figure, caption: str) -> None:
@@ -77,7 +80,7 @@ def table(header: list[str], rows: list[list], caption: str) -> None:
     display(Markdown("\n".join(f"| {' | '.join(line)} |" for line in lines)), Markdown(caption))
 
 
-def _text(entry: object) -> str:
+def _text(entry: str | ArrayLike) -> str:
     if isinstance(entry, str):
         return entry
     return ", ".join(f"{value:.4f}" for value in np.round(np.atleast_1d(entry), 4) + 0.0)

@@ -1,5 +1,7 @@
 """The 3-RRR robot as a page of card, to print, cut out and join with paper fasteners."""
 
+from typing import Any
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +14,7 @@ from .. import rrr
 SCALE = 1 / 4
 PAGE = np.array([210, 297])  # mm; what is drawn also fits a page of 8.5 by 11 inches
 HOLE, EDGE = 1.5, 7  # radius of a hole, and how much card is left about its centre, in mm
-STYLE = {"facecolor": "none", "edgecolor": "black", "linewidth": 1}
+STYLE: Any = {"facecolor": "none", "edgecolor": "black", "linewidth": 1}
 
 
 def card(theta: ArrayLike) -> Figure:
@@ -52,17 +54,19 @@ def _plate(ax: Axes, part: str, holes: np.ndarray, names: list[str]) -> None:
     ax.add_patch(Polygon(corners + 2 * EDGE * away, label=part, **STYLE))
     for hole, name in zip(holes, names, strict=True):
         _hole(ax, part, hole)
-        ax.text(*hole + [0, 4.5], name, ha="center", va="center", fontsize=9)
+        ax.text(hole[0], hole[1] + 4.5, name, ha="center", va="center", fontsize=9)
 
 
 def _link(ax: Axes, part: str, start: np.ndarray, length: float) -> None:
     """A strip with a hole at each end."""
-    box = FancyBboxPatch(start, length, 0, boxstyle=f"round,pad={EDGE},rounding_size={EDGE}", label=part, **STYLE)
+    box = FancyBboxPatch(
+        tuple(start), length, 0, boxstyle=f"round,pad={EDGE},rounding_size={EDGE}", label=part, **STYLE
+    )
     ax.add_patch(box)
     for end in (start, start + [length, 0]):
         _hole(ax, part, end)
-    ax.text(*start + [length / 2, 0], part, ha="center", va="center", fontsize=9)
+    ax.text(start[0] + length / 2, start[1], part, ha="center", va="center", fontsize=9)
 
 
 def _hole(ax: Axes, part: str, centre: np.ndarray) -> None:
-    ax.add_patch(Circle(centre, HOLE, label=f"{part} hole", **STYLE))
+    ax.add_patch(Circle(tuple(centre), HOLE, label=f"{part} hole", **STYLE))

@@ -55,7 +55,7 @@ def squares(ax: Axes, values: ArrayLike, first: ArrayLike, edge: float, **style:
 
     >>> image = drawing.squares(plt.figure().gca(), [[0, 1], [2, 3]], first=[0, 0], edge=0.1)
     """
-    values = real(values, "values", None, None)
+    values = np.asarray(values)
     low = finite(first, "the centre of the first square", 2) - edge / 2
     (left, bottom), (right, top) = low, low + edge * np.array(values.shape)
     ax.grid(False)

@@ -38,8 +38,8 @@ def rrr_2d(
     >>> pose, ax = [20, 30, 0.3], plt.figure().gca()
     >>> artists = drawing.rrr_2d(ax, pose, rrr.inverse_kinematics(pose)[0])
     """
-    style = {"markersize": 5} | style
-    lines = [ax.plot([], [], **own | style, label=name)[0] for name, own in STYLES.items()]
+    of_all: dict[str, Any] = {"markersize": 5}
+    lines = [ax.plot([], [], **of_all | own | style, label=name)[0] for name, own in STYLES.items()]
     place: dict[str, Any] = {
         "color": COLOURS["link"],
         "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8},

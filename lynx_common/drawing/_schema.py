@@ -67,6 +67,8 @@ def wrist_schema(ax: Axes) -> Axes:
 def link_schema(ax: Axes) -> Axes:
     """One link in general: how theta, d, a and alpha lead from frame i-1 to frame i; report eq. (1.1).
 
+    Numbers mark the four steps by which frame i is placed: axes, common normal with x_i, origin, y_i.
+
     >>> ax = drawing.link_schema(plt.figure().gca())
     """
     a, alpha, d, theta = 0.36, 0.55, 0.24, 0.5
@@ -86,6 +88,7 @@ def link_schema(ax: Axes) -> Axes:
     _angle(ax, tip, 0.17, z, np.cross(x, z), alpha, r"$\alpha$")
     for name, middle in (("$d$", foot / 2), ("$a$", (foot + tip) / 2)):
         ax.annotate(name, middle @ VIEW, xytext=(-20, 10), textcoords="offset points", fontsize=13)
+    _number_steps(ax, foot, end)
     return _bare(ax)
 
 
@@ -115,6 +118,22 @@ def triangle_schema(ax: Axes) -> Axes:
         ax.annotate(name, place, xytext=offset, textcoords="offset points", ha="center", va="center", fontsize=14)
     ax.margins(0.12)
     return ax
+
+
+def _number_steps(ax: Axes, foot: np.ndarray, end: np.ndarray) -> None:
+    """The steps of the recipe: 1 at both axes, 2 at the common normal from ``foot``, 3 at the origin, 4 at y."""
+    _, y, z, tip = end[:3].T
+    marked = (
+        (1, [0, 0, -0.06], (16, 0)),
+        (1, tip + 0.26 * z, (16, -4)),
+        (2, (3 * foot + tip) / 4, (-8, 18)),
+        (3, tip, (18, -20)),
+        (4, tip + 0.1 * y, (-26, -4)),
+    )
+    style = {"boxstyle": "circle", "facecolor": "white", "edgecolor": COLOURS["link"]}
+    for step, place, offset in marked:
+        text = ax.annotate(str(step), tuple(place @ VIEW), xytext=offset, textcoords="offset points", bbox=style)
+        text.set(ha="center", va="center")
 
 
 def _polyline(ax: Axes, points: list[np.ndarray], **style) -> None:

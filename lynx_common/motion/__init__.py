@@ -10,23 +10,7 @@ a function of tau = t/T, the share of the motion's duration T that has gone by. 
 Metres and radians; joint angles and task coordinates are those of ``arm``, and are not wrapped.
 """
 
-from .detour import detour
-from .following import Followed, follow
-from .paths import Path, joined, line, space_line
-from .timing import cubic, duration, from_stretch, quintic, to_stretch, trapezoidal
-
-__all__ = [
-    "Followed",
-    "Path",
-    "cubic",
-    "detour",
-    "duration",
-    "follow",
-    "from_stretch",
-    "joined",
-    "line",
-    "quintic",
-    "space_line",
-    "to_stretch",
-    "trapezoidal",
-]
+from ._detour import detour
+from ._following import Followed, follow
+from ._paths import Path, joined, line, space_line
+from ._timing import cubic, duration, from_stretch, quintic, to_stretch, trapezoidal

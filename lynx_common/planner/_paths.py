@@ -59,14 +59,15 @@ def lines_free(free: Free, a: np.ndarray, b: np.ndarray, resolution: float) -> n
 
     They are tried at every ``resolution`` radians or nearer, ends included, in one call of ``free`` for all.
     """
-    a, b = np.broadcast_arrays(a, b)
-    if not len(a):
+    lengths = np.linalg.norm(b - a, axis=1)
+    if not len(lengths):
         return np.zeros(0, bool)
-    pieces = np.maximum(1, np.ceil(np.linalg.norm(b - a, axis=1) / resolution).astype(int))
-    line = np.repeat(np.arange(len(a)), pieces + 1)  # to which each posture belongs
+    pieces = np.maximum(1, np.ceil(lengths / resolution).astype(int))
+    line = np.repeat(np.arange(len(lengths)), pieces + 1)  # to which each posture belongs
     begins = np.cumsum(pieces + 1) - (pieces + 1)
     share = ((np.arange(len(line)) - begins[line]) / pieces[line])[:, None]
-    return np.logical_and.reduceat(asked(free, (1 - share) * a[line] + share * b[line]), begins)
+    start, end = (x[line] if x.ndim == 2 else x for x in (a, b))
+    return np.logical_and.reduceat(asked(free, (1 - share) * start + share * end), begins)
 
 
 def asked(free: Free, q: np.ndarray) -> np.ndarray:

@@ -110,7 +110,7 @@ def _endpoint(q: ArrayLike, name: str, limits: np.ndarray, free: Free) -> np.nda
     q = finite(q, f"the {name}", len(limits))
     for joint in np.flatnonzero((q < limits[:, 0] - AT_LIMIT) | (q > limits[:, 1] + AT_LIMIT)):
         raise EndpointError(name, JointLimitError(int(joint) + 1, float(q[joint]), *map(float, limits[joint])))
-    if not asked(free, q[None].copy())[0]:  # whatever it does with its argument
+    if not asked(free, q[None].copy())[0]:  # a copy: it may write into what it is given
         raise EndpointError(name, NotFreeError(q.tolist()))
     return q
 

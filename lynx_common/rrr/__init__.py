@@ -10,31 +10,9 @@ alpha beyond a full turn each way warns that degrees were meant.
 
 from ..symbolic import DESIGN, POSE
 from . import formulas
-from .condition import self_motion
-from .forward import assemble, forward_kinematics
-from .geometry import RRR, Geometry, base_joints, elbows, platform_joints
-from .inverse import WORKING_MODES, inverse_kinematics, leg_lengths, solve
-from .velocity import jacobians, singularity_type
-from .workspace import constant_orientation_workspace, reachable
-
-__all__ = [
-    "DESIGN",
-    "POSE",
-    "RRR",
-    "WORKING_MODES",
-    "Geometry",
-    "assemble",
-    "base_joints",
-    "constant_orientation_workspace",
-    "elbows",
-    "formulas",
-    "forward_kinematics",
-    "inverse_kinematics",
-    "jacobians",
-    "leg_lengths",
-    "platform_joints",
-    "reachable",
-    "self_motion",
-    "singularity_type",
-    "solve",
-]
+from ._condition import self_motion
+from ._forward import assemble, forward_kinematics
+from ._geometry import RRR, Geometry, base_joints, elbows, platform_joints
+from ._inverse import WORKING_MODES, inverse_kinematics, leg_lengths, solve
+from ._velocity import jacobians, singularity_type
+from ._workspace import constant_orientation_workspace, reachable

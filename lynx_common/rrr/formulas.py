@@ -15,13 +15,21 @@ ELBOWS = sp.symbols("M_1x M_1y M_2x M_2y M_3x M_3y", real=True)
 
 
 def base_joints() -> sp.Matrix:
-    """PB_i, (3, 2), in DESIGN."""
+    """PB_i, (3, 2), in DESIGN.
+
+    >>> base_joints()[0, :]
+    Matrix([[r_base*cos(beta_1), r_base*sin(beta_1)]])
+    """
     _, _, _, r_base, *angles = DESIGN
     return sp.Matrix([[r_base * sp.cos(beta), r_base * sp.sin(beta)] for beta in angles[:3]])
 
 
 def platform_joints() -> sp.Matrix:
-    """PP_i, (3, 2), in POSE and DESIGN; report eqs. (2.1) and (2.2)."""
+    """PP_i, (3, 2), in POSE and DESIGN; report eqs. (2.1) and (2.2).
+
+    >>> platform_joints()[0, 0].subs(POSE[2], 0)
+    X_c + r_platform*cos(gamma_1)
+    """
     (X_c, Y_c, alpha), (_, _, r_platform, *_) = POSE, DESIGN
     R = sp.Matrix([[sp.cos(alpha), -sp.sin(alpha)], [sp.sin(alpha), sp.cos(alpha)]])
     corners = [r_platform * sp.Matrix([sp.cos(gamma), sp.sin(gamma)]) for gamma in DESIGN[7:]]
@@ -29,23 +37,40 @@ def platform_joints() -> sp.Matrix:
 
 
 def driven_links() -> sp.Matrix:
-    """M_i - PB_i, (3, 2), in THETA and DESIGN."""
+    """M_i - PB_i, (3, 2), in THETA and DESIGN.
+
+    >>> driven_links()[0, :]
+    Matrix([[S_A*cos(theta_1), S_A*sin(theta_1)]])
+    """
     S_A = DESIGN[0]
     return sp.Matrix([[S_A * sp.cos(theta), S_A * sp.sin(theta)] for theta in THETA])
 
 
 def legs() -> sp.Matrix:
-    """PP_i - PB_i, (3, 2), in POSE and DESIGN."""
+    """PP_i - PB_i, (3, 2), in POSE and DESIGN.
+
+    >>> legs() == platform_joints() - base_joints()
+    True
+    """
     return platform_joints() - base_joints()
 
 
 def squared_lengths() -> sp.Matrix:
-    """|PP_i - PB_i|^2, (3, 1), in POSE and DESIGN."""
+    """|PP_i - PB_i|^2, (3, 1), in POSE and DESIGN.
+
+    >>> squared_lengths()[0] == legs()[0, :].dot(legs()[0, :])
+    True
+    """
     return sp.Matrix([x**2 + y**2 for x, y in legs().tolist()])
 
 
 def motor_angle(sigma: sp.Expr, x: sp.Expr, y: sp.Expr) -> sp.Expr:
-    """Angle of the motor whose leg spans (x, y) and bends to the side ``sigma``; valid where the leg closes."""
+    """Angle of the motor whose leg spans (x, y) and bends to the side ``sigma``; valid where the leg closes.
+
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> motor_angle(1, x, y).subs(dict(zip((*DESIGN[:2], x, y), (3, 4, 5, 0))))  # a triangle of sides 3, 4, 5
+    -atan(4/3)
+    """
     S_A, L, *_ = DESIGN
     squared = x**2 + y**2
     k = squared + S_A**2 - L**2
@@ -55,13 +80,21 @@ def motor_angle(sigma: sp.Expr, x: sp.Expr, y: sp.Expr) -> sp.Expr:
 
 
 def motor_angles() -> sp.Matrix:
-    """Those of the three legs for the sign +1, then for -1: (2, 3), in POSE and DESIGN."""
+    """Those of the three legs for the sign +1, then for -1: (2, 3), in POSE and DESIGN.
+
+    >>> motor_angles().shape
+    (2, 3)
+    """
     angles = [motor_angle(sigma, x, y) for sigma, (x, y) in product((1, -1), legs().tolist())]
     return sp.Matrix(2, 3, angles)
 
 
 def velocity_rows() -> sp.Matrix:
-    """Per leg the row of A, then the diagonal entry of B: (3, 4), in POSE, THETA and DESIGN."""
+    """Per leg the row of A, then the diagonal entry of B: (3, 4), in POSE, THETA and DESIGN.
+
+    >>> velocity_rows()[0, :2] == legs()[0, :] - driven_links()[0, :]
+    True
+    """
     C = sp.Matrix([POSE[:2]])
     rows = []
     joints = (platform_joints(), base_joints(), driven_links())
@@ -75,6 +108,9 @@ def velocity_rows() -> sp.Matrix:
 def normalised() -> sp.Matrix:
     """What is zero at a singularity, without units, (4, 1), in POSE, THETA and DESIGN: the sine at each elbow
     (type 1), and det A of distal links of length 1, over r_platform (type 2).
+
+    >>> normalised().shape
+    (4, 1)
     """
     S_A, L, r_platform, *_ = DESIGN
     rows = velocity_rows()
@@ -87,6 +123,9 @@ def unit_rows(mode: Sequence[int]) -> sp.Matrix:
     """The rows of A for distal links of length 1, moments over r_platform, (3, 3), in POSE and DESIGN.
 
     Elbow i is where two circles cross, on the side that the sign of ``mode`` says: no motor angle is needed.
+
+    >>> unit_rows((1, 1, -1)).shape
+    (3, 3)
     """
     S_A, L, r_platform, *_ = DESIGN
     C, rows = sp.Matrix([POSE[:2]]), []
@@ -102,6 +141,9 @@ def unit_rows(mode: Sequence[int]) -> sp.Matrix:
 def newton() -> sp.Matrix:
     """(|PP_i - M_i|^2 - L^2) / 2, about L times the miss of each distal link; and the step of Newton's method on
     these, whose derivative is A: two rows, (2, 3), in POSE, THETA and DESIGN.
+
+    >>> newton().shape
+    (2, 3)
     """
     A = velocity_rows()[:, :3]
     off = sp.Matrix([(x**2 + y**2 - DESIGN[1] ** 2) / 2 for x, y, _ in A.tolist()])
@@ -116,6 +158,9 @@ def condition() -> sp.Matrix:
         a, b, a - b:    |a|^2 |b|^2 |a - b|^2 = 4 L^2 (a x b)^2,
 
     that is, the radius of the circle about its corners M_i - R(alpha) r_i is L.
+
+    >>> condition().shape
+    (2, 1)
     """
     corner = sp.Matrix(3, 2, ELBOWS) - platform_joints().subs({POSE[0]: 0, POSE[1]: 0})
     a, b = corner[1, :] - corner[0, :], corner[2, :] - corner[0, :]
@@ -124,5 +169,9 @@ def condition() -> sp.Matrix:
 
 
 def cross(u: sp.Matrix, v: sp.Matrix) -> sp.Expr:
-    """The third component of the cross product of two plane vectors."""
+    """The third component of the cross product of two plane vectors.
+
+    >>> cross(sp.Matrix([1, 0]), sp.Matrix([0, 1]))
+    1
+    """
     return u[0] * v[1] - u[1] * v[0]

@@ -4,24 +4,7 @@ Symbols and numbers never share a name: ``theta_2`` and ``L_1`` are symbols, ``q
 ``geometry`` are arrays and records of numbers.
 """
 
-from .door import CHUNK, compiled, numeric
-from .enclosing import enclose
-from .symbols import ANGLES, DESIGN, POSE, ROW, TASK, WRIST, XYZ, P, Q
-from .tidying import tidy
-
-__all__ = [
-    "ANGLES",
-    "CHUNK",
-    "DESIGN",
-    "POSE",
-    "ROW",
-    "TASK",
-    "WRIST",
-    "XYZ",
-    "P",
-    "Q",
-    "compiled",
-    "enclose",
-    "numeric",
-    "tidy",
-]
+from ._door import CHUNK, compiled, numeric
+from ._enclosing import enclose
+from ._symbols import ANGLES, DESIGN, POSE, ROW, TASK, WRIST, XYZ, P, Q
+from ._tidying import tidy

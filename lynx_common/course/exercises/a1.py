@@ -4,104 +4,53 @@ import numpy as np
 import sympy as sp
 
 from ... import arm, dh
-from ...symbolic import P, Q, numeric
-from .exercise import TOLERANCE, Exercise, expressions, numbers
+from ...symbolic import P, Q
+from .answers import Form
+from .exercise import Exercise
 
-# A1.1: the arm stretched out level along +y.
 QUARTER = np.pi / 2
-OFFSET = np.array([0, 0, 0, QUARTER, 0])
-TURN = np.array([QUARTER, 0, 0, 0, 0])
-
-
-def _level_off(q: np.ndarray) -> tuple[float, float]:
-    """Metres between the gripper and its place, and degrees between its axis and +y."""
-    d_1, *links = arm.LYNX
-    pose = arm.forward_kinematics(q)
-    away = np.linalg.norm(pose[:3, 3] - [0, sum(links), d_1])
-    return away, np.rad2deg(np.arctan2(np.linalg.norm(np.cross(pose[:3, 2], [0, 1, 0])), pose[1, 2]))
-
-
-def _level(q: np.ndarray) -> bool:
-    away, turned = _level_off(q)
-    return max(away, np.deg2rad(turned)) <= TOLERANCE
-
-
-def _describe_level(q: np.ndarray) -> str:
-    away, turned = _level_off(q)
-    if max(away, np.deg2rad(turned)) < 0.01:
-        return "nearly; use np.pi / 2 rather than a rounded number."
-    return f"the gripper is {away:.3f} m from its place, and its axis is {turned:.0f} deg off +y."
-
 
 # A1.2: the camera on the forearm, for the angles of report Table 1.3.
 ANGLES = np.pi / 180 * np.array([60, 45, -30, 60, 30])
 CAMERA = np.array(dh.trans(-0.1, 0.03, 0), float)
+FRAMES = arm.link_frames(ANGLES)
+FOREARM = FRAMES[3]
+IN_DEGREES = arm.link_frames(np.rad2deg(ANGLES) % (2 * np.pi))[3]  # without a warning
 PROXIMAL = np.array(dh.trans(-arm.LYNX.L_2, 0, 0), float)  # from the forearm's end to its start
-
-
-def _forearm(q: np.ndarray = ANGLES) -> np.ndarray:
-    return arm.link_frames(q)[3]
-
-
-def _describe_camera(pose: np.ndarray) -> str:
-    right = _forearm() @ CAMERA
-    axes_right = np.abs(pose - right)[:3, :3].max() <= TOLERANCE
-    away = np.linalg.norm((pose - right)[:3, 3])
-    return f"the axes are {'right' if axes_right else 'not right'}, and the origin is {away:.3f} m from its place."
-
-
-def _is(pose: np.ndarray, other: np.ndarray) -> bool:
-    return bool(np.abs(pose - other).max() <= TOLERANCE)
-
+POSE_UNIT = [["", "", "", "metres"]] * 3 + [[""] * 4]
+POSE_PARTS = {"the position is": np.s_[:3, 3], "its axes are": np.s_[:3, :3], "its last row is": np.s_[3]}
 
 # A1.3: the SCARA arm.
 theta_1, theta_2 = Q[:2]
 d_1, L_1, L_2, _ = P
 d_3 = sp.Symbol("d_3", real=True)
 SCARA_SYMBOLS = (theta_1, theta_2, d_1, d_3, L_1, L_2)
+SAMPLES = np.random.default_rng(0).uniform(0.1, 1.0, (len(SCARA_SYMBOLS), 20))
+HEIGHT = d_1 - d_3
 
 
-def _scara(second: sp.Expr, height: sp.Expr) -> sp.Matrix:
-    x = L_1 * sp.cos(theta_1) + L_2 * sp.cos(second)
-    y = L_1 * sp.sin(theta_1) + L_2 * sp.sin(second)
-    return sp.Matrix([x, y, height])
-
-
-GRIPPER = _scara(theta_1 + theta_2, d_1 - d_3)
-PROXIMAL_GRIPPER = sp.Matrix([L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), d_1 - d_3])
-
-
-def _off(position: sp.Matrix, other: sp.Matrix = GRIPPER) -> float:
-    samples = np.random.default_rng(0).uniform(0.1, 1.0, (20, len(SCARA_SYMBOLS)))
-    return float(np.abs(numeric(position - other, SCARA_SYMBOLS)(samples)).max())
-
-
-def _describe_gripper(p: sp.Matrix) -> str:
-    right = [_off(p[i : i + 1, :], GRIPPER[i : i + 1, :]) <= TOLERANCE for i in range(3)]
-    return (
-        ", ".join(f"{name} is {'right' if ok else 'not right'}" for name, ok in zip("xyz", right, strict=True))
-        + "."
-    )
+def scara(first=theta_1, second=theta_1 + theta_2, height=HEIGHT) -> list[sp.Expr]:
+    """The gripper, for links that point at these angles from x."""
+    x = L_1 * sp.cos(first) + L_2 * sp.cos(second)
+    return [x, L_1 * sp.sin(first) + L_2 * sp.sin(second), height]
 
 
 EXERCISES = {
     "A1.1": Exercise(
-        read=numbers((5,)),
-        right=_level,
+        form=Form((5,)),
+        unit="radians",
+        right=[QUARTER, 0, 0, QUARTER, 0],
+        also=([-QUARTER, np.pi, 0, QUARTER, 0],),
+        counts=lambda q: q[:4],  # any roll will do
+        period=2 * np.pi,
         misconceptions=(
-            (lambda q: _level(np.deg2rad(q)), "this is right in degrees, and the package works in radians."),
             (
-                lambda q: _level(q + OFFSET),
+                [QUARTER, 0, 0, 0, 0],
                 "this is theta_4 of Table 1.1, counted from the forearm; in Table 1.2 it is 90 deg more.",
             ),
-            (
-                lambda q: _level(np.deg2rad(q) + OFFSET),
-                "these are degrees, and theta_4 of Table 1.1; radians and theta_4 of Table 1.2 are expected.",
-            ),
-            (lambda q: _level(q + TURN), "the arm lies along +x; theta_1 turns it about the vertical, to +y."),
-            (lambda q: _level(q + 2 * TURN), "the arm lies along -y; turn it half round."),
+            ([0, 0, 0, QUARTER, 0], "the arm lies along +x; theta_1 turns it about the vertical, to +y."),
+            ([-QUARTER, 0, 0, QUARTER, 0], "the arm lies along -y; turn it half round."),
         ),
-        describe=_describe_level,
         hints=(
             "Which joint alone decides in which vertical plane the arm lies?",
             "With theta_2 = theta_3 = 0 both links are level. The gripper's axis is then at theta_4 - 90 deg.",
@@ -113,71 +62,71 @@ EXERCISES = {
         code="answer_1 = np.deg2rad([90, 0, 0, 90, 0])",
     ),
     "A1.2": Exercise(
-        read=numbers((4, 4)),
-        right=lambda pose: _is(pose, _forearm() @ CAMERA),
+        form=Form((4, 4)),
+        unit=POSE_UNIT,
+        right=FOREARM @ CAMERA,
+        parts=POSE_PARTS,
         misconceptions=(
             (
-                lambda pose: _is(pose, CAMERA @ _forearm()),
+                CAMERA @ FOREARM,
                 "the shift was taken along the axes of the base. It is given in frame 3, so in the product it "
                 "stands to the right of T_0_3: mind the order.",
             ),
+            (IN_DEGREES @ CAMERA, "the joint angles went in as degrees, and the package works in radians."),
             (
-                lambda pose: _is(pose, _forearm(np.rad2deg(ANGLES)) @ CAMERA),
-                "the joint angles went in as degrees, and the package works in radians.",
-            ),
-            (
-                lambda pose: _is(pose, arm.link_frames(ANGLES)[5] @ CAMERA),
+                FRAMES[5] @ CAMERA,
                 "this camera sits on the gripper; it was to sit on the forearm, which carries frame 3.",
             ),
+            (FRAMES[2] @ CAMERA, "this camera sits on the upper arm; the forearm carries frame 3."),
+            (FRAMES[4] @ CAMERA, "this camera moves with the link after the forearm, which carries frame 3."),
             (
-                lambda pose: any(_is(pose, arm.link_frames(ANGLES)[i] @ CAMERA) for i in (2, 4)),
-                "this camera moves with the link before the forearm or after it; the forearm carries frame 3.",
-            ),
-            (
-                lambda pose: _is(pose, _forearm() @ PROXIMAL @ CAMERA),
+                FOREARM @ PROXIMAL @ CAMERA,
                 "this is frame 3 of the proximal table, at the start of the forearm; frame 3 of the distal one, "
                 "whose pose T_0_3 is, sits at its end.",
             ),
-            (lambda pose: _is(pose, _forearm()), "this is frame 3 itself; the camera is shifted from it."),
-            (lambda pose: _is(pose, np.linalg.inv(_forearm() @ CAMERA)), "this is the base seen from the camera."),
-            (lambda pose: _is(pose.T, _forearm() @ CAMERA), "this is the transpose of the pose."),
+            (FOREARM, "this is frame 3 itself; the camera is shifted from it."),
+            (np.linalg.inv(FOREARM @ CAMERA), "this is the base seen from the camera."),
+            ((FOREARM @ CAMERA).T, "this is the transpose of the pose."),
         ),
-        describe=_describe_camera,
         hints=(
             "Frame 3 moves with the forearm. `numeric` makes a function of its pose T_0_3, as it did of T_0_5.",
-            "Neighbouring indices must match: T_0_c = T_0_3 T_3_c.",
+            "Of T_0_3 and T_3_c, which stands on the left, so that neighbouring indices match?",
         ),
         explanation="Read the indices: $T_{0c} = T_{03} T_{3c}$. A transform that is given in the moving frame is "
         "multiplied from the right.",
         code="forearm = numeric(T_0_3, arm.Q, arm.P)(q, arm.LYNX)\nanswer_2 = forearm @ dh.trans(-0.1, 0.03, 0)",
     ),
     "A1.3": Exercise(
-        read=expressions(SCARA_SYMBOLS, 3),
-        right=lambda p: _off(p) <= TOLERANCE,
+        form=Form((3,), dict(zip(map(str, SCARA_SYMBOLS), SAMPLES, strict=True))),
+        right=scara(),
+        parts={"x is": np.s_[:, 0], "y is": np.s_[:, 1], "z is": np.s_[:, 2]},
         misconceptions=(
             (
-                lambda p: _off(p, _scara(theta_2, d_1 - d_3)) <= TOLERANCE,
+                scara(second=theta_2),
                 "theta_2 is counted from the first link, so the second link points at theta_1 + theta_2.",
             ),
+            (scara(height=d_1 + d_3), "the slide moves the gripper down, so its d_3 lowers the gripper."),
             (
-                lambda p: _off(p, _scara(theta_1 + theta_2, d_1 + d_3)) <= TOLERANCE,
-                "the slide moves the gripper down, so its d_3 lowers the gripper.",
-            ),
-            (
-                lambda p: _off(p, PROXIMAL_GRIPPER) <= TOLERANCE,
+                [L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), HEIGHT],
                 "this is a distal table multiplied in the proximal way: dh.modified takes a before theta, so each "
                 "row needs the a of the link before.",
             ),
             (
-                lambda p: _off(p.extract([1, 0, 2], [0])) <= TOLERANCE,
+                [scara()[1], scara()[0], HEIGHT],
                 "x and y are swapped: at theta_1 = theta_2 = 0 the arm lies along x.",
             ),
+            *(
+                (
+                    scara(height=HEIGHT + lift),
+                    "both joint axes are vertical, so no joint angle changes the height.",
+                )
+                for lift in (L_2 * sp.sin(theta_2), scara()[1])
+            ),
             (
-                lambda p: sp.diff(p[2], theta_2) != 0,
-                "both joint axes are vertical, so no joint angle changes the height.",
+                scara(theta_1 * sp.pi / 180, (theta_1 + theta_2) * sp.pi / 180),
+                "this takes the angles for degrees; sin and cos take radians, and so does this course.",
             ),
         ),
-        describe=_describe_gripper,
         hints=(
             "Seen from above it is a planar arm with two links. At which angle from x does the second link point?",
             "A standard DH table of it has three rows. Which alpha in the second turns z down the slide?",

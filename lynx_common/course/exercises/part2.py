@@ -1,86 +1,59 @@
 """Exercises of Part 2, the parallel robot: a leg's span, motor angles of a mode, a full turn, a loose platform."""
 
-from collections.abc import Callable
-from functools import cache
-
 import numpy as np
 
 from ... import rrr
-from .exercise import TOLERANCE, Exercise, numbers
+from .answers import Form
+from .exercise import Exercise
 
 # P2.1 and P2.2: the report's robot at this pose.
-TURN = np.deg2rad(20)
-POSE = np.array([-60, 80, TURN])
-MODE = rrr.WORKING_MODES.index((-1, 1, -1))
-AT_THE_ORIGIN = (rrr.RRR.S_A, rrr.RRR.L, rrr.RRR.r_platform, 1e-9)
-EXCHANGED = (rrr.RRR.L, rrr.RRR.S_A)
+X_C, Y_C, TURN = -60, 80, np.deg2rad(20)
+POSE = np.array([X_C, Y_C, TURN])
+AT_THE_ORIGIN = rrr.Geometry(r_base=1e-9)
+EXCHANGED = rrr.Geometry(S_A=rrr.RRR.L, L=rrr.RRR.S_A)
+SPANS = rrr.leg_lengths(POSE)
+MODES, MODE = rrr.inverse_kinematics(POSE), rrr.WORKING_MODES.index((-1, 1, -1))
+
+
+def span(alpha: float) -> float:
+    """Of leg 2."""
+    return float(rrr.leg_lengths([X_C, Y_C, alpha])[1])
+
+
+def other_legs(mode: int) -> str:
+    """Which legs bend to the other side in this mode."""
+    legs = [str(i + 1) for i in range(3) if rrr.WORKING_MODES[mode][i] != rrr.WORKING_MODES[MODE][i]]
+    return f"leg {legs[0]} bends" if len(legs) == 1 else f"legs {' and '.join(legs)} bend"
+
 
 # P2.3 and P2.4: other robots, in mm.
 R_BASE, R_PLATFORM, S_A = 250, 100, 120
-SHORTEST = R_BASE + R_PLATFORM - S_A
 BASE, PLATFORM, DRIVEN, DISTAL = 300, 100, 200, 150
 
 
-def _corner(base: float, platform: float, driven: float, distal: float) -> float:
+def corner(base: float, platform: float, driven: float, distal: float) -> float:
     """The turn at which the distal links point to the middle, from the triangle of PB, M and the origin."""
     elbow = platform + distal
     return float(np.arccos((base**2 + elbow**2 - driven**2) / (2 * base * elbow)))
 
 
-LOOSE = _corner(BASE, PLATFORM, DRIVEN, DISTAL)
+LOOSE = corner(BASE, PLATFORM, DRIVEN, DISTAL)
 STRETCHED = float(np.arccos((BASE**2 + PLATFORM**2 - (DRIVEN + DISTAL) ** 2) / (2 * BASE * PLATFORM)))
-
-
-def _near(value: float, tolerance: float = 10 * TOLERANCE) -> Callable[[float], bool]:
-    return lambda x: bool(abs(x - value) <= tolerance)
-
-
-# What follows asks the robot's module when an answer is judged, not at import, which would have to compile it.
-
-
-@cache
-def _spans(lengths: tuple[float, ...] = (), alpha: float = TURN) -> np.ndarray:
-    return rrr.leg_lengths([*POSE[:2], alpha], rrr.Geometry(*lengths))
-
-
-@cache
-def _modes(lengths: tuple[float, ...] = (), alpha: float = TURN) -> np.ndarray:
-    return rrr.inverse_kinematics([*POSE[:2], alpha], rrr.Geometry(*lengths))
-
-
-def _span(leg: int = 1, scale: float = 1, **facts) -> Callable[[float], bool]:
-    return lambda x: bool(abs(x / scale - _spans(**facts)[leg]) <= 0.01)
-
-
-def _mode(*modes: int, **facts) -> Callable[[np.ndarray], bool]:
-    """Whether angles are those of one of ``modes``, up to full turns."""
-    return lambda x: any(_apart(x, _modes(**facts)[mode]).max() <= 10 * TOLERANCE for mode in modes)
-
-
-def _apart(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    return np.abs(np.exp(1j * x) - np.exp(1j * y))
-
-
-def _which(x: np.ndarray) -> str:
-    off, other = (_apart(x, _modes()[mode]) > 10 * TOLERANCE for mode in (MODE, 7 - MODE))
-    faults = [f"leg {i + 1} {'is off' if other[i] else 'bends to the other side'}" for i in np.flatnonzero(off)]
-    return f"{', '.join(faults)}."
 
 
 EXERCISES = {
     "P2.1": Exercise(
-        read=numbers(()),
-        right=_span(),
+        form=Form(()),
+        unit="millimetres",
+        right=SPANS[1],
         misconceptions=(
-            (_span(lengths=AT_THE_ORIGIN), "this is counted from the origin; the leg begins at PB_2."),
-            (_span(alpha=20 % (2 * np.pi)), "the 20 went in as radians; cos and sin take radians, so convert."),
-            (_span(alpha=0), "the platform is turned by alpha; this is the span at alpha = 0."),
-            (_span(alpha=-TURN), "the platform is turned the other way; mind the signs in (2.2)."),
-            (_span(0), "this is leg 1; leg 2 was asked for."),
-            (_span(2), "this is leg 3; leg 2 was asked for."),
-            (_span(scale=1e-3), "right in metres; millimetres are expected."),
+            (rrr.leg_lengths(POSE, AT_THE_ORIGIN)[1], "this is counted from the origin; the leg begins at PB_2."),
+            (span(20 % (2 * np.pi)), "the 20 went in as radians; cos and sin take radians, so convert."),
+            (span(0), "the platform is turned by alpha; this is the span at alpha = 0."),
+            (span(-TURN), "the platform is turned the other way; mind the signs in (2.2)."),
+            (SPANS[0], "this is leg 1; leg 2 was asked for."),
+            (SPANS[2], "this is leg 3; leg 2 was asked for."),
         ),
-        describe=lambda x: f"this is {abs(x - _spans()[1]):.2f} mm too {'much' if x > _spans()[1] else 'little'}.",
         hints=(
             "Where is PP_2? It is 130 mm from C, at the angle 210 deg + alpha.",
             "PB_2 is 290 mm from the origin, at 210 deg. The span is the distance between the two points.",
@@ -93,26 +66,31 @@ EXERCISES = {
         "answer_1 = np.linalg.norm(PP_2 - PB_2)",
     ),
     "P2.2": Exercise(
-        read=numbers((3,)),
-        right=_mode(MODE),
+        form=Form((3,)),
+        unit="radians",
+        right=MODES[MODE],
+        period=2 * np.pi,
         misconceptions=(
-            (lambda x: _mode(MODE)(np.deg2rad(x)), "right in degrees; radians are expected."),
-            (_mode(0, 7), "one elbow for all: here legs 1 and 3 bend to one side, and leg 2 to the other."),
-            (
-                _mode(7 - MODE),
-                "every leg bends to the other side: + is to the left on the way to the platform.",
+            *(
+                (MODES[mode], "one elbow for all: here legs 1 and 3 bend to one side, and leg 2 to the other.")
+                for mode in (0, 7)
             ),
-            (
-                _mode(*range(8), lengths=AT_THE_ORIGIN),
-                "the base joints are left out: each leg begins at its PB_i, not at the origin.",
+            (MODES[7 - MODE], "every leg bends to the other side: + is to the left on the way to the platform."),
+            *(
+                (MODES[mode], f"{other_legs(mode)} to the other side.")
+                for mode in range(1, 7)
+                if mode not in (MODE, 7 - MODE)
             ),
-            (
-                _mode(*range(8), lengths=EXCHANGED),
-                "the links are exchanged: the driven one is 170 mm long, the distal one 130.",
+            *(
+                (angles, "the base joints are left out: each leg begins at its PB_i, not at the origin.")
+                for angles in rrr.inverse_kinematics(POSE, AT_THE_ORIGIN)
             ),
-            (_mode(*range(8), alpha=0), "alpha is left out."),
+            *(
+                (angles, "the links are exchanged: the driven one is 170 mm long, the distal one 130.")
+                for angles in rrr.inverse_kinematics(POSE, EXCHANGED)
+            ),
+            *((angles, "alpha is left out.") for angles in rrr.inverse_kinematics([X_C, Y_C, 0])),
         ),
-        describe=_which,
         hints=(
             "For one leg: the direction of PP_i - PB_i, and the angle at the motor by the law of cosines.",
             "A leg bends to the left where the angle at the motor is taken off, to the right where it is added.",
@@ -127,54 +105,40 @@ EXERCISES = {
         "answer_2 = np.arctan2(u[:, 1], u[:, 0]) - np.array([-1, 1, -1]) * beta",
     ),
     "P2.3": Exercise(
-        read=numbers(()),
-        right=_near(SHORTEST, 0.5),
+        form=Form(()),
+        unit="millimetres",
+        right=R_BASE + R_PLATFORM - S_A,
         misconceptions=(
-            (_near(R_BASE - R_PLATFORM - S_A, 0.5), "this is enough at alpha = 0, where the legs are shortest."),
-            (_near(R_BASE + R_PLATFORM, 0.5), "this is what the whole leg has to span; S_A is a part of it."),
-            (
-                _near(abs(R_PLATFORM - S_A), 0.5),
-                "the base joints are left out: motors are at PB_i, not in the middle.",
-            ),
-            (_near(R_BASE - R_PLATFORM + S_A, 0.5), "this is the longest that still folds at alpha = 0."),
-            (_near(np.hypot(R_BASE, R_PLATFORM) - S_A, 0.5), "this is enough up to alpha = 90 deg."),
-            (_near(SHORTEST / 1000, 5e-4), "right in metres; millimetres are expected."),
-        ),
-        describe=lambda x: (
-            f"with {x:.1f} mm it "
-            + ("does not get round." if x < SHORTEST else "may get round, but a shorter link does, too.")
+            (R_BASE - R_PLATFORM - S_A, "this is enough at alpha = 0, where the legs are shortest."),
+            (R_BASE + R_PLATFORM, "this is what the whole leg has to span; S_A is a part of it."),
+            (abs(R_PLATFORM - S_A), "the base joints are left out: motors are at PB_i, not in the middle."),
+            (R_BASE - R_PLATFORM + S_A, "this is the longest that still folds at alpha = 0."),
+            (np.hypot(R_BASE, R_PLATFORM) - S_A, "this is enough up to alpha = 90 deg."),
         ),
         hints=(
             "How far is PP_i from PB_i, least and most, when the platform turns about the middle?",
-            "It is 150 mm at alpha = 0 and 350 mm at 180 deg. A leg spans from |S_A - L| to S_A + L.",
+            "A leg spans from |S_A - L| to S_A + L. The least and the most of that distance have to lie within.",
         ),
         explanation="The span runs from $r_{base} - r_{platform} = 150$ mm to $r_{base} + r_{platform} = 350$ mm. "
         "So $S_A + L \\ge 350$, which makes $L \\ge 230$ mm; and $|S_A - L| \\le 150$ holds for it, $110$.",
         code="r_base, r_platform, S_A = 250, 100, 120\nanswer_3 = r_base + r_platform - S_A",
     ),
     "P2.4": Exercise(
-        read=numbers(()),
-        right=_near(LOOSE),
+        form=Form(()),
+        unit="radians",
+        right=LOOSE,
         misconceptions=(
-            (_near(np.rad2deg(LOOSE), 0.05), "right in degrees; radians are expected."),
+            (-LOOSE, "this is the same with everything mirrored; a turn to the left is asked for."),
+            (STRETCHED, "here the legs are stretched: that is type 1, and the workspace ends."),
             (
-                _near(-LOOSE),
-                "this is the same with everything mirrored; a turn to the left is asked for.",
-            ),
-            (
-                _near(STRETCHED),
-                "here the legs are stretched: that is type 1, and the workspace ends.",
-            ),
-            (
-                _near(_corner(BASE, PLATFORM, DISTAL, DRIVEN)),
+                corner(BASE, PLATFORM, DISTAL, DRIVEN),
                 "the links are exchanged: the driven one is 200 mm long, the distal one 150.",
             ),
             (
-                _near(_corner(290, 130, 170, 130)),
+                corner(290, 130, 170, 130),
                 "this is the angle of the report's robot; the one here has other lengths.",
             ),
         ),
-        describe=lambda x: f"this is {abs(x - LOOSE):.4f} rad too {'much' if x > LOOSE else 'little'}.",
         hints=(
             "The three lines of the distal links are turned into each other by 120 deg. When do such lines meet?",
             "When they pass through the middle. Then M_i is r_platform + L from it: a triangle with PB_i and S_A.",

@@ -4,67 +4,72 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .exercise import TOLERANCE, Exercise, numbers
+from .answers import Form
+from .exercise import TOLERANCE, Exercise
 
 # P3.1: five postures (theta_2, theta_3) in degrees; ranks of the position's Jacobian, and of the whole one.
-RANKS = np.array([[2, 2, 1, 1, 3], [3, 4, 3, 3, 4]], float)
-ON_THE_AXIS = 1  # of the five: only its position is singular
+OF_POSITION, OF_ALL = np.array([2, 2, 1, 1, 3]), np.array([3, 4, 3, 3, 4])
+POSITION_FOR_ALL = (
+    "position-singular is taken for singular: where the end is on the base axis, the base cannot move it, but it "
+    "still turns it."
+)
 
 # P3.2: four postures, and what their order would be by other measures.
-NEAREST_FIRST = np.array([3, 2, 1, 4], float)  # smallest singular values 5.08, 4.23, 1.55 and 7.07
-BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4], float)  # determinants -1534, 366, -633 and 750
-BY_MAGNITUDE = np.array([2, 3, 4, 1], float)
-BY_SHOULDER = np.array([2, 4, 1, 3], float)  # |r| is 16.32, 4.23, 18.51 and 8.66
+NEAREST_FIRST = np.array([3, 2, 1, 4])  # smallest singular values 5.08, 4.23, 1.55 and 7.07
+BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4])  # determinants -1534, 366, -633 and 750
+BY_MAGNITUDE = np.array([2, 3, 4, 1])
+BY_SHOULDER = np.array([2, 4, 1, 3])  # |r| is 16.32, 4.23, 18.51 and 8.66
+SIGN = (
+    "the sign of the determinant is taken for its size: the sign only tells on which side of a singularity "
+    "the arm is, not how near."
+)
+MAGNITUDE = "this is the order of the determinant's magnitude; a small factor may hide in a product."
 
 # P3.3: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
 LEAST = 0.6
 LEAN = float(np.arccos(1 - LEAST**2))
 
 
-def _near(value: float, tolerance: float = 5 * TOLERANCE) -> Callable[[float], bool]:
-    return lambda x: bool(abs(x - value) <= tolerance)
+# P3.4: a SCARA arm carries couples about level axes, and no other wrench (f, m).
+def shares(wrench: np.ndarray) -> np.ndarray:
+    """What loads its motors, and what does not, as shares of the whole: f_x, f_y, f_z, m_z and (m_x, m_y)."""
+    *force, m_x, m_y, m_z = wrench
+    size = np.linalg.norm(wrench)
+    return np.array([*force, m_z, np.hypot(m_x, m_y)]) / (size if size else 1.0)
 
 
-def _is(expected: np.ndarray | list) -> Callable[[np.ndarray], bool]:
-    return lambda x: bool((x == expected).all())
-
-
-def _carried(wrench: np.ndarray) -> bool:
-    """Whether a wrench (f, m) loads no motor of a SCARA arm: a couple about a level axis, and not zero."""
-    return bool(np.abs(wrench[[0, 1, 2, 5]]).max() <= TOLERANCE < np.abs(wrench[3:5]).max())
-
-
-def _holds(*places: int) -> Callable[[np.ndarray], bool]:
-    """Whether one of these entries is not zero."""
-    return lambda x: bool(np.abs(x[list(places)]).max() > TOLERANCE)
+def only(*places: int) -> Callable[[np.ndarray], bool]:
+    """Whether the motors are loaded by these entries, and by no other."""
+    return lambda wrench: {*np.flatnonzero(np.abs(shares(wrench)[:4]) > TOLERANCE)} == {*places}
 
 
 EXERCISES = {
     "P3.1": Exercise(
-        read=numbers((2, 5)),
-        right=_is(RANKS),
+        form=Form((2, 5)),
+        choices=(0, 1, 2, 3, 4),
+        right=[OF_POSITION, OF_ALL],
         misconceptions=(
-            (_is(RANKS[::-1]), "the rows are exchanged: the position's Jacobian comes first."),
-            (_is([[3], [4]] - RANKS), "these are the directions lost; the ranks count those that are left."),
+            ([OF_ALL, OF_POSITION], "the rows are exchanged: the position's Jacobian comes first."),
             (
-                lambda x: x[1, ON_THE_AXIS] < RANKS[1, ON_THE_AXIS],
-                "position-singular is taken for singular: in posture 2 the base cannot move the end, which is on "
-                "its axis, but it still turns it.",
+                [3 - OF_POSITION, 4 - OF_ALL],
+                "these are the directions lost; the ranks count those that are left.",
+            ),
+            *(
+                ([OF_POSITION, taken], POSITION_FOR_ALL)
+                for taken in (OF_POSITION, OF_POSITION + 1, [3, 3, 3, 3, 4])
+            ),
+            *(
+                (
+                    [taken, OF_ALL],
+                    "a regular arm is taken for a regular position: the whole Jacobian may have full rank where "
+                    "the base only turns the end, and does not move it.",
+                )
+                for taken in (OF_ALL - 1, np.minimum(OF_ALL, 3))
             ),
             (
-                lambda x: x[0, ON_THE_AXIS] > RANKS[0, ON_THE_AXIS],
-                "a regular arm is taken for a regular position: in posture 2 the whole Jacobian has full rank, "
-                "but the base only turns the end, and does not move it.",
-            ),
-            (
-                lambda x: bool((x[0] == [2, 2, 2, 2, 3]).all()),
+                [[2, 2, 2, 2, 3], OF_ALL],
                 "where both factors of the determinant vanish, the position may lose more than one direction.",
             ),
-        ),
-        describe=lambda x: (
-            "look again at posture "
-            + ", ".join(str(i + 1) for i in np.flatnonzero((x != RANKS).any(axis=0)))
-            + "; which of the two factors vanish there, and which of them is one of the whole Jacobian?"
         ),
         hints=(
             "Evaluate sin(theta_3) and r = cos(theta_2) + cos(theta_2 + theta_3) for each posture.",
@@ -82,34 +87,18 @@ EXERCISES = {
         "answer_1 = [np.linalg.matrix_rank(M, tol=1e-9) for M in (whole_J[:, :3, :3], whole_J)]",
     ),
     "P3.2": Exercise(
-        read=numbers((4,)),
-        right=_is(NEAREST_FIRST),
+        form=Form((4,)),
+        choices=(1, 2, 3, 4),
+        right=NEAREST_FIRST,
         misconceptions=(
-            (_is(NEAREST_FIRST[::-1]), "this is the right order, backwards: the nearest comes first."),
-            (_is(NEAREST_FIRST - 1), "the postures are counted from 1."),
-            (
-                lambda x: _is(BY_SIGNED_DETERMINANT)(x) or _is(BY_SIGNED_DETERMINANT[::-1])(x),
-                "the sign of the determinant is taken for its size: the sign only tells on which side of a "
-                "singularity the arm is, not how near.",
-            ),
-            (
-                lambda x: _is(BY_MAGNITUDE)(x) or _is(BY_MAGNITUDE[::-1])(x),
-                "this is the order of the determinant's magnitude, which is a product: one factor may be small "
-                "beside large ones.",
-            ),
-            (
-                _is(BY_SHOULDER),
-                "this is the order of the shoulder's value |r|; the elbow may have the smaller one.",
-            ),
-            (
-                lambda x: sorted(x) != [1, 2, 3, 4],
-                "each of the numbers 1 to 4 is expected once.",
-            ),
-        ),
-        describe=lambda x: (
-            f"posture {x[0]:.0f} is not the nearest."
-            if x[0] != NEAREST_FIRST[0]
-            else "the nearest is right; look again at the other three."
+            (NEAREST_FIRST[::-1], "this is the right order, backwards: the nearest comes first."),
+            (NEAREST_FIRST - 1, "the postures are counted from 1."),
+            (BY_SIGNED_DETERMINANT, SIGN),
+            (BY_SIGNED_DETERMINANT[::-1], SIGN),
+            (BY_MAGNITUDE, MAGNITUDE),
+            (BY_MAGNITUDE[::-1], MAGNITUDE),
+            (BY_SHOULDER, "this is the order of the shoulder's value |r|; the elbow may have the smaller one."),
+            (lambda x: len({*x}) < 4, "each of the numbers 1 to 4 is expected once."),
         ),
         hints=(
             "Which of the three singular values says how far the worst direction is from being lost?",
@@ -124,24 +113,23 @@ EXERCISES = {
         "answer_2 = np.argsort(np.linalg.svd(J_p, compute_uv=False)[:, -1]) + 1",
     ),
     "P3.3": Exercise(
-        read=numbers(()),
-        right=_near(LEAN),
+        form=Form(()),
+        unit="radians",
+        right=LEAN,
         misconceptions=(
-            (_near(float(np.rad2deg(LEAN)), 0.05), "this is right in degrees; radians are expected."),
             (
-                _near(float(np.arcsin(LEAST))),
+                float(np.arcsin(LEAST)),
                 "this makes the determinant 0.6; its size is not the smallest singular value.",
             ),
             (
-                _near(float(np.arccos(1 - LEAST))),
+                float(np.arccos(1 - LEAST)),
                 "this takes 1 - cos(beta) for the value; its square root is meant.",
             ),
             (
-                _near(np.pi - LEAN),
+                np.pi - LEAN,
                 "here the third axis is as near to the first, turned over; the least lean is asked.",
             ),
         ),
-        describe=lambda x: f"this is {abs(x - LEAN):.4f} rad too {'much' if x > LEAN else 'little'}.",
         hints=(
             "The three axes are the columns of the angular Jacobian. The middle one is square to the others.",
             "For two unit columns with the angle beta between them, J^T J is [[1, c], [c, 1]] with c = cos(beta).",
@@ -154,18 +142,22 @@ EXERCISES = {
         code="answer_3 = np.arccos(1 - 0.6**2)",
     ),
     "P3.4": Exercise(
-        read=numbers((6,)),
-        right=_carried,
+        form=Form((6,)),
+        right=[0, 0, 0, 1, 0, 0],
+        counts=shares,
         misconceptions=(
-            (_holds(2), "the slide can move along z, so its motor has to hold a force along z."),
-            (_holds(5), "the arm can turn its gripper about z, so a motor has to hold a moment about z."),
-            (
-                _holds(0, 1),
-                "the arm can move its gripper level, so motors have to hold a level force. Or did you write the "
-                "moment first? The force comes first.",
+            ([0, 0, 0, 0, 0, 0], "every arm carries a wrench of zeros; another one is asked for."),
+            (only(2), "the slide can move along z, so its motor has to hold a force along z."),
+            (only(3), "the arm can turn its gripper about z, so a motor has to hold a moment about z."),
+            *(
+                (
+                    only(*places),
+                    "the arm can move its gripper level, so motors have to hold a level force. Or did you write "
+                    "the moment first? The force comes first.",
+                )
+                for places in ((0,), (1,), (0, 1))
             ),
         ),
-        describe=lambda x: "every arm carries a wrench of zeros; another one is asked for.",
         hints=(
             "Which motions can the four joints make together? Three parallel axes make a plane motion.",
             "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z.",

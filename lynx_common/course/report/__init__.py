@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -61,7 +62,7 @@ def check(key: str, derived: np.ndarray | sp.Basic | bool | tuple[bool, bool]) -
     print(f"{key} {item.verdict}")
 
 
-def _contradiction(item: Item, derived: object) -> str:
+def _contradiction(item: Item, derived: Any) -> str:
     """In which way ``derived`` contradicts the recorded verdict; empty where it does not."""
     if item.printed is True:
         return judged_otherwise(item.kind, derived)

@@ -105,7 +105,7 @@ PRINTED = {
         ),
         "claim A1.3": claim(
             "Fig. 1.2 shows position and orientation of the gripper",
-            "wrong: it shows the position and which way the gripper points, but not its roll",
+            "holds, if orientation means the direction in which the gripper points; its roll cannot be seen",
             "with theta_5 90 deg more the picture is the same, and the orientation is another",
         ),
     },

@@ -20,38 +20,36 @@ PRINTED = {
     },
     "1.2, pp. 4-5": {
         "claim A2.1": claim("theta_5 does not move the wrist"),
-        "claim A2.2": claim(
-            "the wrist's workspace takes a sweep over the first four joints",
-            "wrong: it takes one over theta_2 and theta_3; theta_1 only turns the result about the base axis",
-            "theta_4 does not move the wrist either: row 4 of Table 1.2 has no length and no offset",
-        ),
+        "claim A2.2": claim("the wrist's workspace can be obtained by a sweep over the first four joints"),
         "claim A2.3": claim(
             "in steps of 1 deg more than four billion points have to be computed, which do not fit into memory",
-            "wrong: only 20,566 of them differ in the arm's plane, and 5,880,332 in space, which take 141 MB",
-            "theta_4 only repeats each point 361 times, and theta_1 only turns the arm's plane",
+            "holds, if every combination of the four joints is stored; the points that differ take 141 MB",
+            "theta_4 only repeats each point 361 times; 20,566 points differ in the arm's plane, and 5,880,332 in "
+            "space",
         ),
         "claim A2.4": claim("the workspace of the wrist is like a spherical shell"),
         "claim A2.5": claim(
             "the wrist cannot reach the position directly above or below the base",
-            "wrong: it reaches the heights from 0.38 to 0.50 m above the base, and from 0.18 to 0.30 m below",
-            "with theta_3 = 0 it is above the base at theta_2 = 90 deg, and below it at theta_2 = -90 deg",
+            "holds, if the hollow of the shell is meant, from 0.18 m below the base to 0.38 m above it",
+            "farther up, to 0.50 m, and farther down, to 0.30 m, it does reach the base axis",
         ),
         "claim A2.6": claim(
             "its horizontal extent is determined by L_1 + L_2 + L_3",
-            "wrong: for the wrist it is L_1 + L_2 = 0.4 m",
+            "holds, if the gripper is meant; for the wrist, whose workspace it is, it is L_1 + L_2 = 0.4 m",
             "L_3 is the part beyond the wrist, and the report's own figure ends at 0.4 m",
         ),
         "claim A2.7": claim(
             "the dense inner ring of Fig. 1.3b is near the base",
-            "wrong: it is near the base axis, but 0.38 m or more above the base, or 0.18 m or more below",
+            "holds, if near the base axis is meant; its points are 0.38 m or more above the base, or 0.18 m or "
+            "more below",
             "a view from above hides heights, and no point of the ring is within 0.1 m of the base's height",
         ),
         "claim A2.8": claim("the gaps are caused by the step of 10 deg"),
         "claim A2.9": claim("another range of one joint can make a large difference to the workspace"),
         "claim A2.10": claim(
             "the workspace extends in the horizontal plane like a cylinder",
-            "wrong: like a sphere; the higher or lower, the less far out",
-            "it goes out to 0.400 m at z = 0.1 m, but only to 0.268 m at z = 0.4 m",
+            "holds, if it means equally far all round the base axis; the higher or lower, the less far out",
+            "it goes out to 0.400 m at z = 0.1 m, but only to 0.265 m at z = 0.4 m",
         ),
         "claim A2.11": claim("the outermost points are those of the stretched arm"),
     },

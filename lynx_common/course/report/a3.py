@@ -16,6 +16,7 @@ d_1, L_1, L_2, L_3 = P
 r, z, pitch = TASK[1:4]
 r_wrist, h = WRIST
 x, y, D, sigma, c_3, c_2, s_2 = sp.symbols("x y D sigma c_3 c_2 s_2", real=True)
+x_off, side = sp.Symbol("x", real=True, nonzero=True), sp.Symbol("side", real=True)  # front 1, back -1
 R_13, R_23, R_31, R_32, R_33 = sp.symbols("R_13 R_23 R_31 R_32 R_33", real=True)
 forearm, gripper = theta_2 + theta_3, theta_2 + theta_3 + theta_4
 
@@ -32,8 +33,6 @@ DISTANCE_2 = r_wrist**2 + h**2
 TABLE_1_1 = {theta_4: theta_4 + pi / 2}
 IF_TABLE_1_1 = "holds, if theta_4 is that of Table 1.1, 90 deg less than that of Table 1.2"
 LOWER = "with theta_4 of Table 1.2 the gripper points 90 deg lower than theta_2 + theta_3 + theta_4"
-k = sp.Symbol("k", integer=True)
-ONE_AZIMUTH = "holds, if x is not 0; it is one of two azimuths, 180 deg apart"
 ONE_ELBOW = "holds, if the elbow with a positive theta_3 is meant; the negative one reaches the same wrist"
 NO_SIGN = "a cosine leaves the sign of the angle open, and the formula takes one of the two"
 NOT_AT_90 = "cos(theta_1) is not 0; x cos(theta_1) + y sin(theta_1) is right there too"
@@ -115,10 +114,10 @@ PRINTED = {
         ),
         "eq. 1.14": formula(
             "the azimuth of the base",
-            equation(theta_1, atan(y / x)),
-            ONE_AZIMUTH,
-            "at x = 0 it divides by zero, and angles 180 deg apart have the same tangent",
-            condition={k: sp.Integer(0)},
+            equation(theta_1, atan(y / x_off)),
+            "holds, if x > 0, or x < 0 and phi is read as 180 deg - phi; at x = 0 it divides by zero",
+            "for x < 0 the shoulder turns away, and with phi as given pose e of Table 1.4 is out of reach",
+            condition={side: sp.sign(x_off)},
         ),
         "eq. 1.15": formula(
             "signed distance of the gripper from the base axis, as a sum of three links",

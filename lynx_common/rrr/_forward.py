@@ -10,9 +10,9 @@ from ..arcs import crossings
 from ..errors import NoPoseError, SelfMotionError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .condition import ALPHAS, condition_at, platform_free, self_motion
+from ._condition import ALPHAS, condition_at, platform_free, self_motion
+from ._geometry import RRR, Geometry, elbows, platform_joints
 from .formulas import THETA
-from .geometry import RRR, Geometry, elbows, platform_joints
 
 MODES = 6  # assembly modes, at most
 AT_ONCE = 4096  # configurations worked through at a time
@@ -67,6 +67,9 @@ def assemble(theta: ArrayLike, near: ArrayLike, geometry: Geometry = RRR) -> np.
     Distance is that in the plane, with alpha times r_platform as the third coordinate. Raises SelfMotionError
     where the motor angles do not fix the pose, NoPoseError where none closes, and InputError for anything but
     three finite motor angles and one finite pose.
+
+    >>> assemble(np.deg2rad([-136.277, -16.277, 103.723]), near=[0, 0, 1]).round(2) + 0.0
+    array([0.  , 0.  , 1.24])
     """
     theta, near = reading.finite(theta, "the motor angles", 3), reading.finite(near, "a pose", 3)
     if self_motion(theta, geometry):

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from .. import reading
 from ..errors import InputError
-from .motion import Certificate
+from ._motions import Certificate
 
 LARGEST_BUDGET = 10**8  # boxes
 

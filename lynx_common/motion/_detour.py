@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 
 from .. import arm, reading
 from ..errors import CollisionError, EndpointError, InputError, told_apart
-from .following import follow
-from .paths import ROOM, Path, line
+from ._following import follow
+from ._paths import ROOM, Path, line
 
 
 def detour(

@@ -7,8 +7,8 @@ from .. import reading
 from ..errors import InputError, JointLimitError, NotAchievableError, OutOfReachError
 from ..symbolic import TASK, XYZ, compiled
 from . import formulas
-from .geometry import JOINT_LIMITS, LYNX, Geometry, into_limits
-from .inverse import BRANCHES, inverse_kinematics, out_of_reach
+from ._geometry import JOINT_LIMITS, LYNX, Geometry, into_limits
+from ._inverse import BRANCHES, inverse_kinematics, out_of_reach
 
 _front = compiled(XYZ, TASK[3:4], TASK[4:])(formulas.front)
 

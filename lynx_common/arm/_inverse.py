@@ -8,7 +8,7 @@ from ..errors import InputError
 from ..reading import real
 from ..symbolic import TASK, WRIST, XYZ, P, compiled
 from . import formulas
-from .geometry import LYNX, Geometry
+from ._geometry import LYNX, Geometry
 
 BRANCHES = (("front", "up"), ("front", "down"), ("back", "up"), ("back", "down"))
 
@@ -65,7 +65,7 @@ def inverse_kinematics(
     q : array, shape (..., 4, 5)
         Joint angles in (-pi, pi], one row per entry of ``BRANCHES``; NaN where the links do not reach.
 
-    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 7. Joint limits
+    Source: report eqs. (1.14) to (1.24), for both shoulders; notebook A3, section 4. Joint limits
     are not applied (``within_limits``).
 
     >>> inverse_kinematics([0.3, 0, 0.3], pitch=0.0).shape
@@ -85,7 +85,11 @@ def _column(x: ArrayLike, name: str) -> np.ndarray | tuple[float]:
 
 
 def out_of_reach(task: ArrayLike, geometry: Geometry) -> tuple[float, float, float]:
-    """Distance of the wrist from the shoulder, the least and the largest that the links reach, for one task."""
+    """Distance of the wrist from the shoulder, the least and the largest that the links reach, for one task.
+
+    >>> [round(length, 4) for length in out_of_reach([0, 0.6, 0.1, 0, 0], LYNX)]
+    [0.5, 0.0, 0.4]
+    """
     distance, nearest, farthest = _reach(task, geometry).tolist()
     return distance, nearest, farthest
 

@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
+from ._geometry import RRR, Geometry, elbows, platform_joints
 from .formulas import ELBOWS
-from .geometry import RRR, Geometry, elbows, platform_joints
 
 ALPHAS = np.pi / 4 * np.arange(8)  # a trigonometric polynomial of degree 3 is known by its values at these
 LOOSE = 1e-5  # misfit of elbows and platform, as a share of L, below which the platform counts as free

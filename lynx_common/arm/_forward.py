@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 
 from ..symbolic import P, Q, compiled
 from . import formulas
-from .geometry import LYNX, Geometry
+from ._geometry import LYNX, Geometry
 
 _pose = compiled(Q, P)(formulas.pose)
 _joint_positions = compiled(Q, P)(formulas.joint_positions)

@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike
 
 from .. import reading
 from ..errors import InputError, JumpError
-from .following import LARGEST_STEP
-from .paths import share
+from ._following import LARGEST_STEP
+from ._paths import share
 
 Scaling = tuple[np.ndarray, np.ndarray, np.ndarray]
 

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import arcs, reading
-from .geometry import RRR, Geometry, base_joints, platform_joints
-from .inverse import closes, squared_lengths
+from ._geometry import RRR, Geometry, base_joints, platform_joints
+from ._inverse import closes, squared_lengths
 
 
 def reachable(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:

@@ -11,6 +11,10 @@ def tidy(expr: sp.Expr | sp.MatrixBase) -> sp.Expr | sp.MatrixBase:
 
     Made for products of link transforms, where it takes hundredths of a second and ``simplify``
     takes seconds: cos(a) cos(b) - sin(a) sin(b) becomes cos(a + b), and sin(a)**2 + cos(a)**2 becomes 1.
+
+    >>> x, y = sp.symbols("x y", real=True)
+    >>> tidy(sp.cos(x) * sp.cos(y) - sp.sin(x) * sp.sin(y))
+    cos(x + y)
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(tidy)

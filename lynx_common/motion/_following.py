@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import arm, reading
-from ..arm.geometry import AT_LIMIT
-from ..arm.inverse import out_of_reach
+from ..arm import AT_LIMIT, out_of_reach
 from ..errors import InputError, JointLimitError, JumpError, LynxError, OutOfReachError, PathError
 
 # A motion whose joints turn by more than this between two samples, in radians, cannot be told from a jump.
@@ -22,7 +21,7 @@ LARGEST_SEARCH = 10**9  # bytes
 STRETCHED = 1e-6
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Followed:
     """Joint angles along a path of n samples, and where it cannot be followed.
 
@@ -38,6 +37,9 @@ class Followed:
     allowed: np.ndarray
     continuous: np.ndarray
     failure: PathError | None
+
+    def __repr__(self) -> str:
+        return f"<{len(self.q)} samples: {self.failure or 'all followed'}>"
 
     @property
     def ok(self) -> bool:

@@ -9,7 +9,7 @@ from .. import reading
 from ..errors import AssemblyError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
-from .geometry import RRR, Geometry
+from ._geometry import RRR, Geometry
 
 # Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
 WORKING_MODES = tuple(product((1, -1), repeat=3))
@@ -65,6 +65,9 @@ def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.nda
 
     Raises AssemblyError, which names each leg that cannot close and by how much it misses, and InputError for a
     mode that there is not, or anything but one finite pose.
+
+    >>> np.rad2deg(solve([0, 0, 0], mode=7)).round(3)  # all legs bent to the right
+    array([ -43.723,   76.277, -163.723])
     """
     mode = reading.whole(mode, "working mode", 0, len(WORKING_MODES) - 1)
     pose = reading.finite(pose, "a pose", 3)

@@ -9,7 +9,6 @@ from ._arm import (
     arm_top_view,
     arm_views,
     frames_3d,
-    frames_side_view,
     gripper,
     label_joints,
     move,
@@ -17,7 +16,7 @@ from ._arm import (
 )
 from ._card import card
 from ._region import cloud, region_2d, region_path, squares
-from ._rrr import label_rrr, move_rrr, rrr_2d, rrr_outline
+from ._rrr import label_rrr, rrr_2d
 from ._scene import ball_3d, determinant_map, screw_3d, tree_2d
 from ._schema import dh_schema, link_schema, triangle_schema, wrist_schema
 from ._style import COLOURS, space_3d, two_views, use_style

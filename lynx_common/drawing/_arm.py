@@ -96,14 +96,6 @@ def frames_3d(ax: Axes3D, T: ArrayLike, length: float = AXIS_LENGTH) -> list[Lin
     return _draw_axes(ax, _axes_polylines(T, length))
 
 
-def frames_side_view(ax: Axes, T: ArrayLike, q: ArrayLike) -> list[Line2D]:
-    """The same, seen square to the plane of the arm at ``q``; an axis that points at the reader has no length.
-
-    >>> x, y, z = drawing.frames_side_view(plt.figure().gca(), [np.eye(4)], np.zeros(5))
-    """
-    return _draw_axes(ax, [_in_plane(points, q) for points in _axes_polylines(T, AXIS_LENGTH)])
-
-
 def move(
     lines_3d: Sequence[Line3D],
     lines_side: Sequence[Line2D],

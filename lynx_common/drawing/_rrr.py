@@ -1,6 +1,5 @@
 """The planar 3-RRR robot: base, platform and three legs, in mm; a leg that does not close shows its gap."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -22,8 +21,6 @@ STYLES: dict[str, dict[str, Any]] = {
 }
 # A gap below this share of L is one of rounding.
 CLOSED = 1e-6
-# In one line through everything, from PB_1: where joints 0 to 2 are PB, 3 to 5 M, 6 to 8 PP, and 9 is the needle.
-ALONG = [0, 3, 6, 7, 4, 1, 4, 7, 8, 5, 2, 5, 8, 6, 9]
 
 
 def rrr_2d(
@@ -38,30 +35,10 @@ def rrr_2d(
     >>> pose, ax = [20, 30, 0.3], plt.figure().gca()
     >>> artists = drawing.rrr_2d(ax, pose, rrr.inverse_kinematics(pose)[0])
     """
-    of_all: dict[str, Any] = {"markersize": 5}
-    lines = [ax.plot([], [], **of_all | own | style, label=name)[0] for name, own in STYLES.items()]
-    place: dict[str, Any] = {
-        "color": COLOURS["link"],
-        "bbox": {"color": "white", "pad": 0.5, "alpha": 0.8},
-        "zorder": 6,
-    }
-    artists = [*lines, *(ax.text(0, 0, "", **place) for _ in range(3))]
-    move_rrr(artists, pose, theta, geometry)
-    ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
-    ax.relim()
-    return artists
-
-
-def move_rrr(artists: Sequence[Any], pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> None:
-    """Bring a drawn robot to another pose and other motor angles.
-
-    >>> artists = drawing.rrr_2d(plt.figure().gca(), [0, 0, 0], [0, 2, 4])
-    >>> drawing.move_rrr(artists, [0, 0, 0.5], [0, 2, 4])
-    """
     PB, M, ends, PP = joints(pose, theta, geometry)
     gaps = np.linalg.norm(PP - ends, axis=1)
     is_open = gaps > CLOSED * geometry.L
-    lines = {
+    places = {
         "base": PB[[0, 1, 2, 0]],
         "gap": _segments(np.where(is_open[:, None], ends, np.nan), PP),
         "distal link $L$": _segments(M, ends),
@@ -69,43 +46,25 @@ def move_rrr(artists: Sequence[Any], pose: ArrayLike, theta: ArrayLike, geometry
         "platform": PP[[0, 1, 2, 0]],
         "needle": np.reshape(pose, (1, 3))[:, :2],
     }
-    for line, name in zip(artists, STYLES, strict=False):
-        line.set_data(*lines[name].T)
-    _write_gaps(artists[len(STYLES) :], ends, PP, np.where(is_open, gaps, 0), geometry)
+    of_all: dict[str, Any] = {"markersize": 5}
+    artists = [ax.plot(*places[name].T, **of_all | own | style, label=name)[0] for name, own in STYLES.items()]
+    artists += [_write_gap(ax, ends[i], PP, i, gaps[i], geometry) for i in np.flatnonzero(is_open)]
+    ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
+    ax.relim()
+    return artists
 
 
-def _write_gaps(
-    texts: Sequence[Any], ends: np.ndarray, PP: np.ndarray, gaps: np.ndarray, geometry: rrr.Geometry
-) -> None:
-    """The size of each gap that is not 0, beside it, on the side away from the middle of the platform."""
-    middle, beside = (ends + PP) / 2, _unit(PP - ends)[:, ::-1] * [-1, 1]
-    outwards = (beside * (middle - PP.mean(axis=0))).sum(axis=1) >= 0
-    beside = np.where(outwards[:, None], beside, -beside)
-    for text, point, (x, y), gap in zip(texts, middle, beside, gaps, strict=True):
-        text.set(
-            position=point + geometry.r_platform / 8 * np.array([x, y]),
-            ha="left" if x > 0.3 else "right" if x < -0.3 else "center",
-            va="bottom" if y > 0.3 else "top" if y < -0.3 else "center",
-            text=f"{gap:.1f} mm" if gap else "",
-        )
-
-
-def rrr_outline(pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> np.ndarray:
-    """One line through all links, round the platform and to the needle, for each of n poses, (n, 15, 3).
-
-    ``pose`` (mm, mm, rad) is (n, 3), ``theta`` (rad) that or (3,). The line is in metres, at the height 0, as
-    ``course.player`` takes it.
-
-    >>> pose = [[0, 0, 0], [10, 0, 0.1]]
-    >>> drawing.rrr_outline(pose, rrr.inverse_kinematics(pose)[:, 0]).shape
-    (2, 15, 3)
-    """
-    pose = real(pose, "a pose", None, 3)
-    PP = rrr.platform_joints(pose, geometry)
-    fixed, elbows = rrr.base_joints(geometry), rrr.elbows(theta, geometry)
-    PB, M = (np.broadcast_to(points, PP.shape) for points in (fixed, elbows))
-    points = np.concatenate([PB, M, PP, pose[:, None, :2]], axis=1) / 1000
-    return np.insert(points[:, ALONG], 2, 0, axis=-1)
+def _write_gap(ax: Axes, end: np.ndarray, PP: np.ndarray, leg: int, gap: float, geometry: rrr.Geometry) -> Any:
+    """The size of a gap beside it, on the side away from the middle of the platform."""
+    middle = (end + PP[leg]) / 2
+    x, y = _unit(PP[leg : leg + 1] - end)[0, ::-1] * [-1, 1]
+    if (middle - PP.mean(axis=0)) @ [x, y] < 0:
+        x, y = -x, -y
+    place = middle + geometry.r_platform / 8 * np.array([x, y])
+    side = {"ha": "left" if x > 0.3 else "right" if x < -0.3 else "center"}
+    side["va"] = "bottom" if y > 0.3 else "top" if y < -0.3 else "center"
+    paper = {"color": "white", "pad": 0.5, "alpha": 0.8}
+    return ax.text(*place, f"{gap:.1f} mm", color=COLOURS["link"], bbox=paper, zorder=6, **side)
 
 
 def label_rrr(ax: Axes, pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> None:

@@ -11,7 +11,6 @@ import sympy as sp
 from lynx_common import arcs, arm, dh, motion, obstacles, planner, reading, rrr, screws, symbolic, workspace
 from lynx_common.course import exercises, report
 from lynx_common.course.stage import Words, javascript, stage
-from lynx_common.course.stage import Words, javascript
 from lynx_common.errors import GeometryError, InputError, LynxError, NotAchievableError
 from lynx_common.symbolic import Q
 

@@ -15,7 +15,7 @@ FLOORS = {
     1: ["arm", "rrr"],
     2: ["workspace", "motion", "obstacles", "planner", "certify"],
     3: ["drawing", "course.pictures"],
-    4: ["course.report", "course.figures", "course.kernel", "course.player", "course.script", "course.stage"],
+    4: ["course.report", "course.figures", "course.kernel", "course.stage"],
     5: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
     6: ["course.lab"],
 }

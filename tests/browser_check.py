@@ -199,6 +199,7 @@ def alive(page: Page) -> list[str]:
     """Whether the stages, as they are stored, move at all widths, and follow the theme."""
     stages = [frame for frame in page.frames[1:] if frame.query_selector("#views")]
     say("stages", len(stages))
+    page.evaluate("window.jupyterapp.shell.collapseLeft()")  # the list of files
     failures = [] if len(stages) == page.evaluate(STAGES) else ["not every stage has come to life"]
     for number, stage in enumerate(stages, start=1):
         stage.evaluate("stop()")
@@ -209,7 +210,8 @@ def alive(page: Page) -> list[str]:
         for width in (390, 768, 1400):
             page.set_viewport_size({"width": width, "height": 844})
             page.wait_for_timeout(150)
-            failures += [f"stage {number} is too wide at {width}"] * (stage.evaluate(OVERFLOW) > 0)
+            wide = stage.evaluate(OVERFLOW)
+            failures += [f"stage {number} is {wide} pixels too wide at {width}"] * (wide > 0)
     inks = {}
     for theme in ("JupyterLab Dark", "JupyterLab Light"):
         page.evaluate(THEME, theme)

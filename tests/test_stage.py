@@ -553,6 +553,12 @@ def test_it_is_as_high_as_its_content_and_wears_the_colours_of_the_page_around()
     assert {colour for *_, colour in page.drawings[0].words} == set(page.run("[LOOKS[1].ink, LOOKS[1].muted]"))
 
 
+def test_where_there_is_no_room_nothing_is_drawn_and_nothing_fails():
+    page = opened([plane(Body(sp.Matrix([[0.5, 0.5]]), 0.1, "x")), space(Body(sp.Matrix([[0, 0, 0]]), 0.1, "x"))])
+    page.run("(made.forEach(e => { e.clientWidth = 20; }), fit())")
+    assert page.drawings[0].discs == []
+
+
 def test_colours_are_those_of_the_course():
     with pytest.raises(InputError, match="colours of a stage"):
         opened(plane(Line(sp.Matrix([[0, 0]]), "red")))

@@ -1,1 +1,1 @@
-"""The course around the robots: the report's ledger, figures, players, explorers, exercises, and their making."""
+"""The course around the robots: the report's ledger, figures, stages, explorers, exercises, and their making."""

@@ -91,6 +91,7 @@ function draw() {
       for (const points of runsOf(item, numbers, curve, trailOf)) if (item.kind === "line" || radius > 0) items.push({item, points, radius});
     }
     pen.clearRect(0, 0, ...frames[k]);
+    if (!(camera.scale > 0)) return;  // no room
     (view.centre ? drawSpace : drawPlane)(pen, view, camera, items, look);
     view.handles.forEach(handle => {
       const point = numbers.slice(handle.at[0], handle.at[0] + handle.at[1]);

@@ -32,7 +32,8 @@ bench: .venv-bench/ready  ## measure speed and memory, also against other packag
 	.venv-bench/bin/python -m pytest -s -o addopts= -o python_files='bench_*.py' \
 	  --benchmark-columns=median,iqr,rounds tests/benchmarks
 
-browser: .venv/ready .venv-browser/ready site  ## move sliders in a real Chromium: of the notebooks, and of the site
+browser: .venv/ready .venv-browser/ready site  ## move stages in a real Chromium: alone, in the notebooks, on the site
+	.venv-browser/bin/python tests/stage_check.py
 	@for notebook in $$(grep -l 'explorers\.' notebooks/*.ipynb); do \
 	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
 	.venv-browser/bin/python tests/site_check.py

@@ -29,20 +29,15 @@ html_theme = "furo"
 html_extra_path = ["index.html"]
 html_show_sphinx = html_copy_source = html_use_index = False
 
-WIDGET = "application/vnd.jupyter.widget-view+json"
-NO_WIDGET = "*Here the notebook shows sliders that need Python. They move once you open it with* `make lab`*.*"
-
 
 def prepare(app, docname, source):
-    """Give a notebook what a page needs: the menu, anchors for its cells, words for pictures and for widgets."""
+    """Give a notebook what a page needs: the menu, anchors for its cells, words for pictures."""
     notebook = nbformat.reads(source[0], as_version=4)
     for cell in notebook.cells:
         cell.metadata["anchor"] = f"cell-id={cell.id}"  # as in JupyterLab's links
         for output in cell.get("outputs", []):
             if alt := output.get("metadata", {}).get("image/png", {}).get("alt"):
                 cell.metadata["mystnb"] = {"image": {"alt": alt}}
-            if WIDGET in output.get("data", {}):
-                output.data = {"text/markdown": NO_WIDGET}
     if docname == root_doc:
         menu = "```{toctree}\n:hidden:\n:glob:\n\n*\n```"
         notebook.cells.append(nbformat.v4.new_markdown_cell(menu))

@@ -1,4 +1,4 @@
-"""Open a notebook in a real JupyterLab and Chromium, run it, move a slider, and see the picture change.
+"""Open a notebook in a real JupyterLab and Chromium: its stages move before a cell is run, its explorer after.
 
 Run by `make browser`, not by pytest: it needs Chromium and Playwright (requirements-browser.txt). It works on
 a copy of the notebook's folder, and talks to this machine only.
@@ -24,6 +24,7 @@ from playwright.sync_api import Page, sync_playwright
 from playwright.sync_api import TimeoutError as BrowserTimeout
 
 ROOT = Path(__file__).parents[1]
+PICTURES = ROOT / "build" / "jupyterlab"
 PATIENCE = 180_000  # ms: for the notebook to run to its end
 STEPS = 10
 DRAG = 2.0  # s
@@ -48,6 +49,11 @@ CELL_ERRORS = """[...window.jupyterapp.shell.currentWidget.content.model.cells]
     .flatMap((cell, number) => (cell.type === 'code' ? cell.toJSON().outputs : [])
         .filter(output => output.output_type === 'error')
         .map(error => `cell ${number + 1}: ${error.ename}: ${error.evalue}`))"""
+STAGES = "[...document.querySelectorAll('iframe[srcdoc]')].length"
+INK = "getComputedStyle(document.body).color"
+DRAWN = "[...document.querySelectorAll('canvas')].map(c => c.toDataURL()).join()"
+OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
+THEME = "name => window.jupyterapp.commands.execute('apputils:change-theme', {theme: name})"
 ADDRESS = "css => document.querySelector(css)?.src"
 BYTES = """async css => {
     const picture = await fetch(document.querySelector(css).src);
@@ -107,7 +113,7 @@ def chromium() -> str | None:
 def jupyterlab(jupyter: Path, folder: Path) -> Iterator[tuple[str, str]]:
     """A JupyterLab on the folder, with settings of its own; yields its address and token."""
     port, token = free_port(), secrets.token_hex(8)
-    places = ("_CONFIG", "LAB_SETTINGS", "LAB_WORKSPACES")
+    places = ("_CONFIG", "_DATA", "LAB_SETTINGS", "LAB_WORKSPACES")
     homes = {f"JUPYTER{place}_DIR": str(folder.parent / place) for place in places}
     for name, text in SETTINGS.items():
         file = folder.parent / "LAB_SETTINGS" / name
@@ -125,6 +131,8 @@ def jupyterlab(jupyter: Path, folder: Path) -> Iterator[tuple[str, str]]:
         "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
         "--LabApp.extension_manager=readonly",
     ]
+    notebooks = map(str, folder.glob("*.ipynb"))
+    subprocess.run([jupyter, "trust", *notebooks], env=os.environ | homes, check=True, capture_output=True)
     with open(folder.parent / "lab.log", "w+") as log:
         server = subprocess.Popen(
             [jupyter, "lab", *options], env=os.environ | homes, stdout=log, stderr=log, start_new_session=True
@@ -176,15 +184,49 @@ def listen(page: Page, address: str) -> tuple[list[str], list[str]]:
 
 
 def check(page: Page, picture: str) -> list[str]:
-    """Run the notebook and move its first slider; returns what failed, a sentence each."""
+    """Move what the notebook holds, before and after it is run; returns what failed, a sentence each."""
+    page.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
+    page.wait_for_function(KERNEL_IDLE, timeout=60_000)
+    failures = alive(page)
     if errors := run_notebook(page):
-        return errors
+        return failures + errors
+    if page.locator(".jupyter-widgets .noUi-handle").count():
+        failures += explored(page, picture)
+    return failures
+
+
+def alive(page: Page) -> list[str]:
+    """Whether the stages, as they are stored, move at all widths, and follow the theme."""
+    stages = [frame for frame in page.frames[1:] if frame.query_selector("#views")]
+    say("stages", len(stages))
+    failures = [] if len(stages) == page.evaluate(STAGES) else ["not every stage has come to life"]
+    for number, stage in enumerate(stages, start=1):
+        stage.evaluate("stop()")
+        slider = stage.locator("input[type=range]:visible").first
+        before = stage.evaluate(DRAWN)
+        slider.press("ArrowLeft" if slider.evaluate("i => +i.value + +i.step > +i.max") else "ArrowRight")
+        failures += [f"stage {number} does not move"] * (stage.evaluate(DRAWN) == before)
+        for width in (390, 768, 1400):
+            page.set_viewport_size({"width": width, "height": 844})
+            page.wait_for_timeout(150)
+            failures += [f"stage {number} is too wide at {width}"] * (stage.evaluate(OVERFLOW) > 0)
+    inks = {}
+    for theme in ("JupyterLab Dark", "JupyterLab Light"):
+        page.evaluate(THEME, theme)
+        page.wait_for_timeout(1500)
+        inks[theme] = {stage.evaluate(INK) for stage in stages}
+        page.screenshot(path=PICTURES / f"{page.url.split('/')[-1].split('_')[0]}-{theme.split()[1]}.png")
+    dark, light = inks.values()
+    return failures + ["a stage does not follow the theme"] * bool(dark & light or len(dark) > 1)
+
+
+def explored(page: Page, picture: str) -> list[str]:
+    """Whether the picture of the first explorer follows its slider, and how fast."""
     handle = page.locator(".jupyter-widgets .noUi-handle").first
     try:
-        handle.wait_for(timeout=10_000)
         page.locator(picture).first.wait_for(timeout=10_000)
     except BrowserTimeout:
-        return [f"no slider, or no picture {picture!r}, on the page"]
+        return [f"no picture {picture!r} on the page"]
     before = page.evaluate(BYTES, picture)
     handle.focus()
     latencies = [latency(page, handle, picture) for _ in range(STEPS)]
@@ -201,8 +243,6 @@ def check(page: Page, picture: str) -> list[str]:
 def run_notebook(page: Page) -> list[str]:
     """Run all cells and wait for the kernel; returns the errors of cells."""
     start = time.perf_counter()
-    page.wait_for_selector(".jp-Notebook .jp-Cell", timeout=60_000)
-    page.wait_for_function(KERNEL_IDLE, timeout=60_000)
     page.evaluate(RUN_ALL)  # its promise is kept when the last cell has run
     page.wait_for_function(KERNEL_IDLE, timeout=PATIENCE)
     say("opened and run in", f"{time.perf_counter() - start:.1f} s")

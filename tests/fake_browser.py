@@ -1,11 +1,14 @@
-"""A page's own script, run in V8 without a browser: what it draws on its canvases is recorded.
+"""A stage's own scripts, run in V8 without a browser: what they draw on their canvases is recorded.
 
-    page = FakePage(source)            the text of an HTML page, or what IPython shows it in
-    page.slide("θ1", 30)               moves a slider, as a reader would; "time" by its id works, too
-    page.frames(0, 500, 1000)          lets requestAnimationFrame run at these milliseconds
-    page.drawings[0].strokes           polylines on the first canvas since it was last cleared
+    page = FakePage(shown)               what IPython shows, or its HTML
+    page.slide("θ₁", 30)                 moves a slider, as a reader would; "time" by its id works, too
+    page.choose("elbow", "down")         takes one of a few options
+    page.drag(0, (100, 80), (140, 90))   a pointer on the first canvas, pixels
+    page.frames(0, 500, 1000)            lets requestAnimationFrame run at these milliseconds
+    page.drawings[0].strokes             polylines on the first canvas since it was last cleared
+    page.run("inputs")                   the value of any expression, also of the page's own names
 
-Only what the course's pages use is there. Anything else a script asks for is an error.
+Only what a stage uses is there. Anything else a script asks for is an error.
 """
 
 import html
@@ -17,63 +20,86 @@ from typing import Any
 import numpy as np
 from py_mini_racer import MiniRacer
 
-SCRIPT = r"""
+BROWSER = r"""
 "use strict";
-const elements = {}, created = [], canvases = [], observers = [];
-let waiting = [];
+const made = [], canvasesMade = [], observed = {}, timers = [], media = {}, byName = {};
+let waiting = [], innerWidth = 800;
 
 function recorder() {
   const calls = [], state = {};
+  const gradient = colours => ({colours, addColorStop: (at, colour) => colours.push(colour)});
   return new Proxy({calls}, {
     get: (target, name) => name === "calls" ? calls : name in state ? state[name] : (...args) => {
       if (name === "clearRect") calls.length = 0;
+      const numbers = args.flat(3).filter(v => typeof v === "number");
+      if (!numbers.every(Number.isFinite)) throw new Error("a number is missing in " + name);
       calls.push({name, args, state: {...state}});
+      return name.startsWith("create") ? gradient([]) : undefined;
     },
     set: (target, name, value) => { state[name] = value; return true; },
   });
 }
 
-function element(tag, attributes = {}) {
-  const children = [], listeners = {};
-  const made = {
-    tag, children, listeners, style: {}, attributes, textContent: "", width: 0, height: 0,
-    append: (...more) => children.push(...more),
-    insertBefore: (child, before) => children.push(child),
-    setAttribute: (name, value) => { attributes[name] = value; },
-    addEventListener: (name, listener) => { listeners[name] = listener; },
-    setPointerCapture: () => {},
-    getContext: () => pen,
-    ...attributes,
-  };
+function makeElement(tag, attributes = {}) {
   const pen = tag === "canvas" ? recorder() : null;
-  if (pen) canvases.push(made);
-  created.push(made);
-  return made;
+  const one = {
+    tag, children: [], listeners: {}, attributes, textContent: "", className: "", value: "", hidden: false,
+    parentNode: null, parentElement: null, clientWidth: 600, background: "rgba(0, 0, 0, 0)",
+    style: {setProperty(name, value) { this[name] = value; }},
+    append(...more) {
+      more.filter(child => child.tag).forEach(child => { child.parentNode = child.parentElement = one; });
+      one.children.push(...more);
+    },
+    appendChild(child) { one.append(child); return child; },
+    setAttribute: (name, value) => { attributes[name] = value; },
+    addEventListener: (name, listener) => { one.listeners[name] = listener; },
+    setPointerCapture: () => {},
+    getBoundingClientRect: () => ({left: 0, top: 0, height: 345.2}),
+    getContext: () => pen,
+  };
+  if (pen) canvasesMade.push(one);
+  made.push(one);
+  return Object.assign(one, attributes);
 }
 
 const document = {
-  getElementById: id => { if (!(id in elements)) throw new Error("no element " + id); return elements[id]; },
-  createElement: tag => element(tag),
+  activeElement: null, documentElement: makeElement("html"),
+  getElementById: id => { if (!(id in byName)) throw new Error("no element " + id); return byName[id]; },
+  createElement: tag => makeElement(tag),
 };
+const around = makeElement("body"), frameElement = makeElement("iframe");
+around.append(frameElement);
+const parent = {document: {documentElement: makeElement("html"), body: around}};
+const getComputedStyle = node => ({backgroundColor: node.background});
 const window = {devicePixelRatio: 1};
 const requestAnimationFrame = callback => waiting.push(callback);
-class IntersectionObserver {
-  constructor(callback) { observers.push(callback); }
-  observe() {}
+globalThis.setTimeout = (callback, delay) => timers.push({callback, delay});
+globalThis.clearTimeout = id => { if (id) delete timers[id - 1]; };
+const matchMedia = query => media[query] ??= {matches: false, addEventListener: () => {}};
+class Observer {
+  constructor(callback) { this.callback = callback; }
+  observe(node) { (observed[this.constructor.name] ??= []).push(this.callback); }
 }
+class IntersectionObserver extends Observer {}
+class ResizeObserver extends Observer {}
+class MutationObserver extends Observer {}
 
 function frame(stamp) { const now = waiting; waiting = []; now.forEach(callback => callback(stamp)); }
-function seen(isIntersecting) { observers.forEach(callback => callback([{isIntersecting}])); }
-function labelled(name) {
-  const label = created.find(e => e.tag === "label" && e.children[0] === name);
+function atRestNow() { timers.splice(0).filter(Boolean).forEach(({callback}) => callback()); }
+function control(name) {
+  const label = made.find(e => e.tag === "label" && e.children[0]?.textContent === name);
   return label ? label.children[1] : document.getElementById(name);
 }
 function slide(name, value) {
-  const input = labelled(name);
+  const input = control(name);
   input.value = Math.min(+input.max, Math.max(+input.min, value));
   input.oninput();
 }
-function text() { return created.filter(e => e.textContent).map(e => e.textContent); }
+function choose(name, option) {
+  const field = made.find(e => e.tag === "fieldset" && e.children[0].textContent === name);
+  field.children[1].children.find(e => e.children[1]?.textContent === option).children[0].oninput();
+}
+function text() { return made.filter(e => e.textContent).map(e => e.textContent); }
 """
 
 
@@ -89,45 +115,76 @@ class Stroke:
 
 @dataclass
 class Drawing:
-    """One canvas: strokes; filled discs and squares as (x, y, size, colour); words as (text, x, y, colour)."""
+    """One canvas: strokes; filled shapes (n, 2) and their colour; discs (x, y, radius); words (text, x, y)."""
 
     strokes: list[Stroke]
+    shapes: list[tuple[np.ndarray, str]]
     discs: list[tuple]
-    squares: list[tuple]
     words: list[tuple]
-
-    def of(self, colour: str, width: float) -> list[np.ndarray]:
-        """Points of the strokes of one colour and width."""
-        return [stroke.points for stroke in self.strokes if (stroke.colour, stroke.width) == (colour, width)]
 
 
 class FakePage:
-    """A page whose script has run."""
+    """A page whose scripts have run. ``before`` is run first: a dark page around, say."""
 
-    def __init__(self, source: str):
-        self.source = page_in(source)
+    def __init__(self, shown: Any, before: str = ""):
+        self.source = page_in(getattr(shown, "data", shown))
         self.engine = MiniRacer()
-        self.engine.eval(SCRIPT)
-        for tag, attributes in re.findall(r"<(\w+) ([^>]*\bid=[^>]*)>", self.source.split("<script>")[0]):
+        self.engine.eval(BROWSER + before)
+        body, *scripts = re.split(r"<script>", self.source)
+        for tag, attributes in re.findall(r"<(\w+) ([^>]*\bid=[^>]*)>", body):
             found = dict(re.findall(r'([\w-]+)="([^"]*)"', attributes))
-            self.engine.eval(f"elements[{found['id']!r}] = element({tag!r}, {json.dumps(found)})")
-        (script,) = re.findall(r"<script>(.*?)</script>", self.source, re.DOTALL)
-        self.engine.eval(f"(() => {{{script}}})()")
+            self.engine.eval(f"byName[{found['id']!r}] = makeElement({tag!r}, {json.dumps(found)})")
+        for script in scripts:
+            self.engine.eval(script.partition("</script>")[0])
 
     def run(self, expression: str) -> Any:
-        """The value of a JavaScript expression."""
+        """The value of a JavaScript expression; None stands for NaN."""
         return json.loads(self.engine.eval(f"JSON.stringify({expression}) ?? 'null'"))
+
+    @property
+    def facts(self) -> dict:
+        return self.run("facts")
 
     def slide(self, name: str, value: float) -> None:
         self.run(f"slide({json.dumps(name)}, {value})")
 
-    def fire(self, name: str, event: str, **facts: float) -> None:
-        """An event on the element ``name``: ``onclick``, ``onpointerdown`` ..."""
-        self.run(f"document.getElementById({json.dumps(name)}).{event}({json.dumps(facts)})")
+    def choose(self, name: str, option: str) -> None:
+        self.run(f"choose({json.dumps(name)}, {json.dumps(option)})")
+
+    def click(self, name: str) -> None:
+        self.run(f"document.getElementById({json.dumps(name)}).onclick()")
+
+    def press(self, key: str, view: int = 0) -> None:
+        self.run(f"canvasesMade[{view}].onkeydown({{key: {json.dumps(key)}, preventDefault() {{}}}})")
+
+    def point(self, event: str, at: tuple, view: int = 0, kind: str = "mouse") -> None:
+        facts = {"clientX": float(at[0]), "clientY": float(at[1]), "pointerId": 1, "pointerType": kind}
+        self.run(f"canvasesMade[{view}].onpointer{event}({json.dumps(facts)})")
+
+    def drag(self, view: int, *places: tuple, kind: str = "mouse") -> None:
+        self.point("down", places[0], view, kind)
+        for place in places[1:]:
+            self.point("move", place, view, kind)
+        self.point("up", places[-1], view, kind)
+
+    def place(self, point: list, view: int = 0) -> np.ndarray:
+        """Where a point of a view is on its canvas, in pixels."""
+        return np.array(self.run(f"cameraOf(views[{view}], {view}).place({list(map(float, point))})")[:2])
+
+    def lead(self, to: list, view: int = 0, handle: int = 0, kind: str = "mouse") -> None:
+        """Drag a handle to a point of its view."""
+        start, count = self.run(f"views[{view}].handles[{handle}].at")
+        at = self.run("numbersAt(inputs)")[start : start + count]
+        self.drag(view, self.place(at, view), self.place(to, view), kind=kind)
 
     def frames(self, *stamps: float) -> None:
         for stamp in stamps:
             self.run(f"frame({stamp})")
+
+    def numbers(self, inputs: np.ndarray) -> np.ndarray:
+        """What the page computes for inputs (n, k), in radians: (n, m)."""
+        found = self.run(f"{json.dumps(np.asarray(inputs).tolist())}.map(row => compute(row, fixed))")
+        return np.array(found, dtype=float)
 
     @property
     def text(self) -> list[str]:
@@ -136,12 +193,12 @@ class FakePage:
 
     @property
     def drawings(self) -> list[Drawing]:
-        return [_drawing(calls) for calls in self.run("canvases.map(canvas => canvas.getContext().calls)")]
+        return [_drawing(calls) for calls in self.run("canvasesMade.map(canvas => canvas.getContext().calls)")]
 
 
 def page_in(shown: str) -> str:
     """The page within an iframe's srcdoc, or the page itself."""
-    found = re.search('srcdoc="([^"]*)"', shown)
+    found = re.search("srcdoc='([^']*)'", shown)
     return html.unescape(found[1]) if found else shown
 
 
@@ -159,17 +216,20 @@ def _drawing(calls: list[dict]) -> Drawing:
         if name == "beginPath":
             path, disc = [], None
         elif name in ("moveTo", "lineTo"):
-            path.append(args)
+            path.append(args[:2])
         elif name == "arc":
             disc = args[:3]
+            path.append(args[:2])
         elif name == "setLineDash":
             dash = args[0]
         elif name == "stroke":
             drawing.strokes.append(Stroke(np.array(path), state["strokeStyle"], state["lineWidth"], bool(dash)))
-        elif name == "fill" and disc:
-            drawing.discs.append((*disc, state["fillStyle"]))
-        elif name == "fillRect":
-            drawing.squares.append((args[0] + args[2] / 2, args[1] + args[3] / 2, args[2], state["fillStyle"]))
+        elif name == "fill":
+            fill = state["fillStyle"]
+            colour = fill if isinstance(fill, str) else fill["colours"][0]
+            drawing.shapes.append((np.array(path), colour))
+            if disc and len(path) == 1:
+                drawing.discs.append((*disc, colour))
         elif name == "fillText":
             drawing.words.append((*args, state["fillStyle"]))
     return drawing

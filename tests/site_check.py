@@ -14,7 +14,7 @@ from playwright.sync_api import TimeoutError as BrowserTimeout
 
 SITE = ROOT / "build" / "site"
 WORD = "elbow"  # searched for
-# Asked of a page, or of an explorer on it.
+# Asked of a page, or of a stage on it.
 MATHEMATICS = "document.querySelectorAll('mjx-container').length"
 MATHEMATICS_WANTED = "document.querySelectorAll('.math').length"
 FAULTY_MATHEMATICS = "document.querySelectorAll('mjx-merror, [data-mjx-error]').length"
@@ -23,8 +23,10 @@ WITHOUT_WORDS = "[...document.images].filter(i => !i.alt || i.alt.includes('_ima
 LINKS = "[...document.querySelectorAll('a[href]')].map(a => a.href)"
 ALL_TYPESET = f"{MATHEMATICS} >= {MATHEMATICS_WANTED}"
 DRAWN = "[...document.querySelectorAll('canvas')].map(c => c.toDataURL()).join()"
+OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
+INK = "getComputedStyle(document.body).color"
 TIME = "document.getElementById('time').value"
-TO_THE_PLAYER = "document.getElementById('view').scrollIntoView({behavior: 'instant'})"
+TO_THE_PLAYER = "document.getElementById('views').scrollIntoView({behavior: 'instant'})"
 TO_THE_END = "top.scrollTo({top: top.document.body.scrollHeight, behavior: 'instant'})"
 HAS_ID = "id => document.getElementById(decodeURIComponent(id)) !== null"
 
@@ -67,18 +69,18 @@ def check(page: Page, address: str) -> list[str]:
         found += [f"no picture at {source}" for source in page.evaluate(BROKEN_PICTURES)]
         found += [f"no words for the picture {source}" for source in page.evaluate(WITHOUT_WORDS)]
         explorers = [frame for frame in page.frames[1:] if frame.query_selector("input[type=range]")]
-        found += [fault for frame in explorers for fault in still(frame)]
+        found += [fault for frame in explorers for fault in still(frame)] + dressed(page, explorers)
         moved += len(explorers)
         links.update(page.evaluate(LINKS))
         failures += [f"{name}: {fault}" for fault in found]
-        say(name, f"{page.evaluate(MATHEMATICS)} formulas, {len(explorers)} moving pictures")
+        say(name, f"{page.evaluate(MATHEMATICS)} formulas, {len(explorers)} stages")
     local = sorted(link for link in links if link.startswith(address))
     failures += dead_links(page, local)
     page.goto(f"{address}/search.html?q={WORD}")
     page.wait_for_selector("#search-results li", timeout=10_000)
     say(f"found for {WORD!r}", page.locator("#search-results li").count())
     say("links", len(local))
-    return failures + ["no explorer moves"] * (moved == 0)
+    return failures + ["no stage moves"] * (moved == 0)
 
 
 def mathematics(page: Page) -> list[str]:
@@ -92,12 +94,14 @@ def mathematics(page: Page) -> list[str]:
 
 
 def still(frame: Frame) -> list[str]:
-    """The sliders of an explorer, or of a player, that leave its drawing as it is; and players out of step."""
+    """The sliders of a stage that leave its drawing as it is; and a motion that runs out of sight."""
     failures = []
-    if play := frame.query_selector("#play"):
+    play = frame.query_selector("#play")
+    if play.is_visible() and not frame.evaluate("challenges.length"):
         failures = runs_where_seen(frame)
         play.click()
-    for number, slider in enumerate(frame.query_selector_all("input[type=range]"), start=1):
+    sliders = [slider for slider in frame.query_selector_all("input[type=range]") if slider.is_visible()]
+    for number, slider in enumerate(sliders, start=1):
         slider.scroll_into_view_if_needed()
         before = frame.evaluate(DRAWN)
         at_end = slider.evaluate("input => +input.value + +input.step > +input.max")
@@ -107,8 +111,21 @@ def still(frame: Frame) -> list[str]:
     return failures
 
 
+def dressed(page: Page, stages: list[Frame]) -> list[str]:
+    """Stages that are too wide for the page at some width, or do not take its colours at once."""
+    faults, inks = [], []
+    for width in (390, 768, 1400):
+        page.set_viewport_size({"width": width, "height": 844})
+        page.wait_for_timeout(150)
+        faults += [f"a stage is too wide at {width}" for stage in stages if stage.evaluate(OVERFLOW) > 0]
+    for theme in ("dark", "light"):
+        page.evaluate(f"document.body.dataset.theme = '{theme}'")
+        inks.append({stage.evaluate(INK) for stage in stages})
+    return faults + ["a stage does not follow the theme"] * bool(inks[0] & inks[1])
+
+
 def runs_where_seen(frame: Frame) -> list[str]:
-    """Whether a player runs while it is in sight, and rests, so that it costs nothing, while it is not."""
+    """Whether a motion runs while it is in sight, and rests, so that it costs nothing, while it is not."""
     running = []
     for scroll in (TO_THE_PLAYER, TO_THE_END):
         frame.evaluate(scroll)
@@ -116,7 +133,7 @@ def runs_where_seen(frame: Frame) -> list[str]:
         before = frame.evaluate(TIME)
         frame.page.wait_for_timeout(500)
         running.append(frame.evaluate(TIME) != before)
-    return [] if running == [True, False] else [f"a player runs in sight, out of sight: {running}"]
+    return [] if running == [True, False] else [f"a motion runs in sight, out of sight: {running}"]
 
 
 def dead_links(page: Page, links: list[str]) -> list[str]:

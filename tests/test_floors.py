@@ -24,7 +24,7 @@ FLOORS = {
     3: ["arm", "rrr", "certify"],
     4: ["workspace", "motion", "obstacles"],
     5: ["drawing", "course.pictures"],
-    6: ["course.report", "course.figures", "course.kernel", "course.player", "course.script"],
+    6: ["course.report", "course.figures", "course.kernel", "course.stage"],
     7: ["course.explorers", "course.exercises", "course.environment", "course.execute"],
     8: ["course.lab"],
 }

@@ -66,7 +66,7 @@ def run() -> Run:
         )
         patch.setattr(figures, "show", lambda fig, caption: found.unlabelled.extend(unlabelled(fig, caption)))
         for name in explorers.__all__:  # nbval runs these, too, and they take time
-            patch.setattr(explorers, name, lambda *_: None)
+            patch.setattr(explorers, name, lambda *_, **__: None)
         for notebook in sorted({item.notebook for item in report.LEDGER.values()}):
             namespace: dict[str, object] = {}
             try:

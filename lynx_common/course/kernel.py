@@ -15,6 +15,7 @@ from nbval.kernel import CURRENT_ENV_KERNEL_NAME, NbvalKernelspecManager
 
 from . import pictures
 
+WIDGET = "application/vnd.jupyter.widget-view+json"
 CELL_TIMEOUT = 300  # seconds
 FIXED = {
     "PYTHONHASHSEED": "0",
@@ -72,6 +73,9 @@ def execute(path: Path, **environment: str) -> str:
     )
     client.execute(cwd=str(path.parent), env=kernel_environment(**environment))
     for cell in code_cells(notebook):
+        for output in cell.outputs:
+            if "image/png" in output.get("data", {}):  # shown until the cell is run again
+                output.data.pop(WIDGET, None)
         pictures.settle(cell.outputs, before[cell.id])
     notebook.metadata = nbformat.from_dict(METADATA)
     return nbformat.writes(notebook).rstrip("\n") + "\n"

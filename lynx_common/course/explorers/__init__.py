@@ -1,28 +1,31 @@
-"""Interactive views: sliders beside a picture that follows them.
+"""What a reader moves: stages, which need no kernel, and an explorer of ipywidgets for what cannot be compiled.
 
-Each keeps one Matplotlib figure, moves its lines over a background that is drawn once, and hands the picture over
-as PNG bytes; that is several times faster than drawing anew, and a notebook that holds one can be re-executed.
-The pages (``arm_page`` and its like) need no kernel: they move on the static site, too.
+A stage draws formulas in the page itself, so that it moves on the static site, too. The explorer keeps one
+Matplotlib figure, moves its patches over a background that is drawn once, and hands the picture over as PNG bytes.
 """
 
-from .arm import arm_explorer
-from .detour import detour_explorer
+from .branches import branches_of_a_target
+from .freedom import lost_freedom
+from .joints import joints_and_frames
+from .legs import legs_and_modes
 from .limits import limits_explorer
-from .motion import motion_explorer
-from .pages import arm_page, reach_page, rrr_page
-from .parallel import parallel_explorer
-from .reach import reach_explorer
-from .singularity import singularity_explorer
+from .moving import arm_in_motion, platform_in_motion, two_motions
+from .pitches import pitches_at_a_point
+from .section import section_of_limits
+from .thread import thread_around_a_ball
+from .top import change_of_branch
 
 __all__ = [
-    "arm_explorer",
-    "arm_page",
-    "detour_explorer",
+    "arm_in_motion",
+    "branches_of_a_target",
+    "change_of_branch",
+    "joints_and_frames",
+    "legs_and_modes",
     "limits_explorer",
-    "motion_explorer",
-    "parallel_explorer",
-    "reach_explorer",
-    "reach_page",
-    "rrr_page",
-    "singularity_explorer",
+    "lost_freedom",
+    "pitches_at_a_point",
+    "platform_in_motion",
+    "section_of_limits",
+    "thread_around_a_ball",
+    "two_motions",
 ]

@@ -1,16 +1,21 @@
 """Explorer of A2: limits of shoulder and elbow, and the exact section and volume that they leave."""
 
+from base64 import b64encode
 from collections.abc import Callable
+from io import BytesIO
 
 import ipywidgets as widgets
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
+from PIL import Image
 
 from ... import arm, drawing, workspace
 from ...arcs import Region
-from .panel import beside, over_a_background, picture_frame
 
 POINTS = ("wrist", "gripper")
 LIGHT, DARK = 0.3, 1.0  # what theta_1 adds as it turns the arm's plane, and the section in that plane itself
@@ -19,8 +24,9 @@ NARROWEST = 5  # degrees between the two limits of a joint
 
 def limits_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
     """Range sliders (deg) for theta_2 and theta_3; the section of wrist and gripper, areas and volumes follow."""
-    sliders = [_range("θ₂", (-180, 180), (-90, 90)), _range("θ₃", (-180, 180), (-90, 90))]
-    words, image, picture = widgets.HTML(), picture_frame(), _section_view(geometry)
+    sliders = [_range("θ₂ [°]", (-180, 180), (-90, 90)), _range("θ₃ [°]", (-180, 180), (-90, 90))]
+    words, picture = widgets.HTML(), _section_view(geometry)
+    image = widgets.Image(layout=widgets.Layout(width="800px", height="400px"))
 
     def update(_: object = None) -> None:
         for control in sliders:
@@ -38,7 +44,18 @@ def limits_explorer(geometry: arm.Geometry = arm.LYNX) -> widgets.Widget:
     for control in sliders:
         control.observe(update, "value")
     update()
-    return beside([*sliders, words], image)
+    return Explorer([widgets.VBox([*sliders, words]), image], layout=widgets.Layout(max_width="920px"))
+
+
+class Explorer(widgets.VBox):
+    """Controls above a picture; where widgets are not drawn, the picture as it was when the explorer was shown."""
+
+    def _repr_mimebundle_(self, **kwargs: object) -> tuple[dict, dict]:
+        still = {"image/png": b64encode(self.children[-1].value).decode()}
+        words = (
+            "The section that limits of two joints leave, of the wrist and of the gripper; two sliders move it."
+        )
+        return super()._repr_mimebundle_(**kwargs) | still | {"text/plain": words}, {"image/png": {"alt": words}}
 
 
 def _range(name: str, limits: tuple[int, int], value: tuple[int, int]) -> widgets.FloatRangeSlider:
@@ -46,7 +63,7 @@ def _range(name: str, limits: tuple[int, int], value: tuple[int, int]) -> widget
     control = widgets.FloatRangeSlider(
         value=value, min=low, max=high, step=5, description=name, readout_format=".0f"
     )
-    control.style.description_width, control.layout.width = "25px", "250px"
+    control.style.description_width, control.layout.width = "50px", "640px"
     return control
 
 
@@ -63,7 +80,7 @@ def _section_view(geometry: arm.Geometry) -> Callable[[dict[str, tuple[Region, R
                 PathPatch(Path(np.zeros((1, 2))), color=drawing.COLOURS["right"], alpha=alpha, linewidth=0)
             )
             ax.add_patch(patches[-1])
-    redraw = over_a_background(fig, patches)
+    redraw = _over_a_background(fig, patches)
 
     def picture(regions: dict[str, tuple[Region, Region]]) -> bytes:
         shown = [region for point in POINTS for region in regions[point][::-1]]
@@ -80,3 +97,23 @@ def _in_words(regions: dict[str, tuple[Region, Region]]) -> str:
         for point, (own, turned) in regions.items()
     ]
     return f"<table><tr><td></td><td>section</td><td>volume</td></tr>{''.join(rows)}</table>"
+
+
+def _over_a_background(fig: Figure, moving: list[Artist]) -> Callable[[], bytes]:
+    """A function that draws only the ``moving`` artists, over all the rest drawn once, and returns PNG bytes."""
+    plt.close(fig)  # so that the notebook does not show it a second time
+    for artist in moving:
+        artist.set_animated(True)
+    canvas = FigureCanvasAgg(fig)
+    canvas.draw()
+    background = canvas.copy_from_bbox(fig.bbox)
+
+    def redraw() -> bytes:
+        canvas.restore_region(background)
+        for artist in moving:
+            artist.axes.draw_artist(artist)
+        buffer = BytesIO()
+        Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB").save(buffer, "png", compress_level=1)
+        return buffer.getvalue()
+
+    return redraw

@@ -23,7 +23,7 @@ def detour(
 
     A straight line where that is clear; else tangent, arc, tangent. Pitch and roll change evenly along it. It is
     the gripper's way: whether the arm follows, and clears the obstacle with its links, is for ``follow`` and
-    ``obstacles.clearance`` to say. Source: notebook B3, section 5.
+    ``obstacles.clearance`` to say. Source: notebook B3, section 7.
 
     Parameters
     ----------

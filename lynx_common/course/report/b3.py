@@ -36,11 +36,5 @@ PRINTED = {
         ),
         "claim B3.4": claim("the straight line from point 3 to point 4 is blocked"),
         "claim B3.5": claim("the detour is clear of the obstacle"),
-        "claim B3.6": claim(
-            "the parameters of a spline around the obstacle are hard to adjust",
-            "wrong: here, with both ends equally far from the centre, one height is enough, and the clearance "
-            "gives it",
-            "with a bump 3.86 cm high, a sine and a parabola both keep the 0.18 m asked for",
-        ),
     },
 }

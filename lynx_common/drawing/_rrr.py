@@ -48,7 +48,7 @@ def rrr_2d(
     }
     of_all: dict[str, Any] = {"markersize": 5}
     artists = [ax.plot(*places[name].T, **of_all | own | style, label=name)[0] for name, own in STYLES.items()]
-    artists += [_write_gap(ax, ends[i], PP, i, gaps[i], geometry) for i in np.flatnonzero(is_open)]
+    artists += [_write_gap(ax, ends[i], PP, i, gaps[i], geometry) for i in range(3) if is_open[i]]
     ax.set(xlabel="X [mm]", ylabel="Y [mm]", aspect="equal")
     ax.relim()
     return artists
@@ -61,10 +61,10 @@ def _write_gap(ax: Axes, end: np.ndarray, PP: np.ndarray, leg: int, gap: float, 
     if (middle - PP.mean(axis=0)) @ [x, y] < 0:
         x, y = -x, -y
     place = middle + geometry.r_platform / 8 * np.array([x, y])
-    side = {"ha": "left" if x > 0.3 else "right" if x < -0.3 else "center"}
+    side: Any = {"ha": "left" if x > 0.3 else "right" if x < -0.3 else "center"}
     side["va"] = "bottom" if y > 0.3 else "top" if y < -0.3 else "center"
     paper = {"color": "white", "pad": 0.5, "alpha": 0.8}
-    return ax.text(*place, f"{gap:.1f} mm", color=COLOURS["link"], bbox=paper, zorder=6, **side)
+    return ax.text(place[0], place[1], f"{gap:.1f} mm", color=COLOURS["link"], bbox=paper, zorder=6, **side)
 
 
 def label_rrr(ax: Axes, pose: ArrayLike, theta: ArrayLike, geometry: rrr.Geometry = rrr.RRR) -> None:

@@ -14,18 +14,3 @@ from .pitches import pitches_at_a_point
 from .section import section_of_limits
 from .thread import thread_around_a_ball
 from .top import change_of_branch
-
-__all__ = [
-    "arm_in_motion",
-    "branches_of_a_target",
-    "change_of_branch",
-    "joints_and_frames",
-    "legs_and_modes",
-    "limits_explorer",
-    "lost_freedom",
-    "pitches_at_a_point",
-    "platform_in_motion",
-    "section_of_limits",
-    "thread_around_a_ball",
-    "two_motions",
-]

@@ -14,6 +14,7 @@ from ..stage import (
     Challenge,
     Choice,
     Handle,
+    Item,
     Line,
     Plane,
     Slider,
@@ -84,7 +85,7 @@ def _views(own: Sequence[sp.Symbol], other: Sequence[sp.Symbol], geometry: arm.G
     ]
     target = sp.Matrix([[r * sp.cos(azimuth), r * sp.sin(azimuth), z]])
     space = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), solids, [_in_space(target)])
-    shapes = [circle((0, d_1), L_1 + L_2, "aid"), circle((0, d_1), sp.Abs(L_1 - L_2), "aid")]
+    shapes: list[Item] = [circle((0, d_1), L_1 + L_2, "aid"), circle((0, d_1), sp.Abs(L_1 - L_2), "aid")]
     shapes += [*arm_from_the_side(other, size, REACHED, pale=True), *arm_from_the_side(own, size, REACHED)]
     back = sp.Matrix([[r, z], [WRIST[0], d_1 + WRIST[1]]])
     shapes.append(Line(back, "target", 2.5, dashed=True, when=-REACHED))

@@ -11,6 +11,7 @@ from ..stage import (
     Body,
     Challenge,
     Handle,
+    Item,
     Level,
     Line,
     Plane,
@@ -37,13 +38,11 @@ def lost_freedom(geometry: arm.Geometry = PART_3) -> HTML:
     """
     size = sum(geometry) - geometry.L_3
     end, radial, block = _end(), _radius(), _block()
-    items = arm_in_space(frames_of([*Q[:3], 0, 0]), size, gripper=False)
-    view = Space(
-        (0, 0, round(0.36 * size, 4)), 0.8 * size, round(size / 6, 4), items + _velocities(size), [_handle(end)]
-    )
+    items: list[Item] = [*arm_in_space(frames_of([*Q[:3], 0, 0]), size, gripper=False), *_velocities(size)]
+    view = Space((0, 0, round(0.36 * size, 4)), 0.8 * size, round(size / 6, 4), items, [_handle(end)])
     here = dict(zip(Q[1:3], (sp.pi * place / 180 for place in PLACE), strict=True))
     factors = [sp.sin(Q[2]).xreplace(here), radial.xreplace(here)]
-    chart = [Level(-factors[0] * factors[1], PLACE, "right", 0.25, 0)]
+    chart: list[Item] = [Level(-factors[0] * factors[1], PLACE, "right", 0.25, 0)]
     chart.append(Level(factors[1], PLACE, "x", 0, 2))
     chart += [Line(sp.Matrix([[-180, turn], [180, turn]]), "z", 2) for turn in (-180, 0, 180)]
     at = DEGREES * sp.Matrix([Q[1:3]])
@@ -94,7 +93,7 @@ def _singular_values(block: sp.Matrix) -> tuple[sp.Expr, sp.Expr]:
     return largest_one, magnitude(det) / largest_one
 
 
-def _velocities(size: float) -> list[Line | Body]:
+def _velocities(size: float) -> list[Item]:
     """Velocities in the arm's plane (the ellipse) and square to it, and the line of the force of least torque."""
     end, block, t = _end(), _block(), sp.Symbol("turn", real=True)
     out, side = sp.Matrix([[sp.cos(Q[0]), sp.sin(Q[0]), 0]]), sp.Matrix([[-sp.sin(Q[0]), sp.cos(Q[0]), 0]])
@@ -108,7 +107,7 @@ def _velocities(size: float) -> list[Line | Body]:
     angle = sp.atan2(2 * (a * c + b * d), a**2 + b**2 - c**2 - d**2) / 2 + sp.pi / 2
     weak = sp.cos(angle) * out + sp.sin(angle) * up
     in_plane = magnitude(_radius()) - _singular_values(block)[1]
-    lines = [ellipse, Line(sp.Matrix.vstack(end - square, end + square), "target", 2.5)]
+    lines: list[Item] = [ellipse, Line(sp.Matrix.vstack(end - square, end + square), "target", 2.5)]
     for direction, when in ((weak, in_plane), (side, -in_plane)):
         force = 0.22 * size * direction
         rod = sp.Matrix.vstack(end - force, end + force)

@@ -9,7 +9,7 @@ from IPython.display import HTML
 from ... import arm
 from ...arm import formulas
 from ...symbolic import TASK, WRIST, XYZ, P, Q
-from ..stage import Body, Challenge, Choice, Handle, Slider, Space, Words, largest, least, stage
+from ..stage import Body, Challenge, Choice, Control, Handle, Item, Slider, Space, Words, largest, least, stage
 from .solids import NAMES, arm_in_space, axes_of, values_of
 
 HOME_DEG = (60, 45, -30, 60, 30)  # report Table 1.3
@@ -24,7 +24,7 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     frames, size = list(frames or formulas.frames()[1:]), sum(geometry)
     tip, far = frames[4][:3, 3], size - geometry.d_1
     star = sp.Matrix(np.round([0.5 * far, -0.25 * far, geometry.d_1 - 0.1 * far], 3).tolist())
-    items = [*arm_in_space(frames, size), Body(star.T, 0.018 * size, "target")]
+    items: list[Item] = [*arm_in_space(frames, size), Body(star.T, 0.018 * size, "target")]
     for T in (sp.eye(4), *frames[:4]):
         items += axes_of(T, 0.11 * size, SHOWN)
     items += axes_of(frames[4], 0.13 * size)
@@ -48,14 +48,17 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     ]
     view = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), items, [grip(tip)])
     title = "The arm in space, its gripper and the frames of its links; sliders for its five joint angles"
-    controls = [*joint_sliders(HOME_DEG), Choice(SHOWN, "frames", {"gripper only": -1, "all": 1}, -1)]
+    controls: list[Control] = [
+        *joint_sliders(HOME_DEG),
+        Choice(SHOWN, "frames", {"gripper only": -1, "all": 1}, -1),
+    ]
     return stage([view], controls, words, values_of(P, geometry), title, challenges=challenges)
 
 
 def joint_sliders(home: Sequence[float], limits: np.ndarray = arm.JOINT_LIMITS) -> list[Slider]:
     """One for each joint, between its limits."""
     facts = zip(Q, NAMES, np.rad2deg(limits).round().tolist(), home, strict=True)
-    return [Slider(symbol, name, *limit, value) for symbol, name, limit, value in facts]
+    return [Slider(symbol, name, low, high, value) for symbol, name, (low, high), value in facts]
 
 
 def grip(tip: sp.Matrix) -> Handle:

@@ -14,7 +14,9 @@ from ..stage import (
     Body,
     Challenge,
     Choice,
+    Control,
     Handle,
+    Item,
     Level,
     Line,
     Motion,
@@ -44,13 +46,13 @@ def legs_and_modes(geometry: rrr.Geometry = rrr.RRR) -> HTML:
     poses = _assembly_modes(geometry)
     home = poses[0] if poses else np.zeros(3)
     held = sp.Piecewise((DET, CLOSES >= 0), (sp.nan, True))
-    items = [Level(CLOSES, POSE[:2], "right", 0.16), Level(held, POSE[:2], "x", 0.08, 2, dashed=True)]
+    items: list[Item] = [Level(CLOSES, POSE[:2], "right", 0.16), Level(held, POSE[:2], "x", 0.08, 2, dashed=True)]
     items += [Line(_platform(pose), "aid", 1.5, dashed=True) for pose in poses[1:]]
     items += _robot(ANGLES, ROOMS)
     reach, far = round(geometry.r_base + 0.35 * geometry.S_A), round(0.8 * geometry.r_base)
     view = Plane("X [mm]", "Y [mm]", (-reach, -reach), (reach, reach), 100, items, _handles())
     facts = zip(POSE, ("X", "Y", "alpha"), (far, far, 180), _in_degrees(home), ("mm", "mm", "°"), strict=True)
-    controls = [Slider(symbol, name, -high, high, value, 1, unit) for symbol, name, high, value, unit in facts]
+    controls: list[Control] = [Slider(s, name, -high, high, at, 1, unit) for s, name, high, at, unit in facts]
     sides = {"left": 1, "right": -1}
     controls += [Choice(s, f"leg {i}", sides, side) for i, s, side in zip((1, 2, 3), SIGMA, MODE, strict=True)]
     title = "The 3-RRR robot from above; sliders for the pose of its platform, choices for the bend of each leg"
@@ -110,12 +112,12 @@ def _platform(pose: np.ndarray) -> sp.Matrix:
     return corners.col_join(corners[0, :])
 
 
-def _robot(theta: Sequence[sp.Expr], rooms: Sequence[sp.Expr]) -> list[Line | Body]:
+def _robot(theta: Sequence[sp.Expr], rooms: Sequence[sp.Expr]) -> list[Item]:
     """Frame, legs, platform and needle; of a leg that cannot close, the gap between its ends."""
     base, platform = formulas.base_joints(), formulas.platform_joints()
     moved = formulas.driven_links().xreplace(dict(zip(THETA, theta, strict=True)))
     closed = platform.col_join(platform[0, :])
-    items = [Line(base.col_join(base[0, :]), "aid", 1.2), Line(closed, "x", 0, filled=True)]
+    items: list[Item] = [Line(base.col_join(base[0, :]), "aid", 1.2), Line(closed, "x", 0, filled=True)]
     for i, space in enumerate(rooms):
         start, end, elbow = base[i, :], platform[i, :], base[i, :] + moved[i, :]
         items.append(Line(sp.Matrix.vstack(start, end), "printed", 2, dashed=True, when=-space))

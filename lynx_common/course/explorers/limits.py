@@ -1,13 +1,13 @@
 """Explorer of A2: limits of shoulder and elbow, and the exact section and volume that they leave."""
 
 from base64 import b64encode
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from io import BytesIO
+from typing import Any
 
 import ipywidgets as widgets
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
@@ -99,7 +99,7 @@ def _in_words(regions: dict[str, tuple[Region, Region]]) -> str:
     return f"<table><tr><td></td><td>section</td><td>volume</td></tr>{''.join(rows)}</table>"
 
 
-def _over_a_background(fig: Figure, moving: list[Artist]) -> Callable[[], bytes]:
+def _over_a_background(fig: Figure, moving: Sequence[Any]) -> Callable[[], bytes]:
     """A function that draws only the ``moving`` artists, over all the rest drawn once, and returns PNG bytes."""
     plt.close(fig)  # so that the notebook does not show it a second time
     for artist in moving:

@@ -60,7 +60,8 @@ def two_motions(motions: Mapping[str, np.ndarray], seconds: float = 8, geometry:
     """Two motions of the arm side by side, under their names, at the same instants; (n, 5) radians each."""
     if len(motions) != 2:
         raise InputError(f"Two motions are shown side by side; {len(motions)} were given.")
-    columns, views, words, size = {}, [], [], sum(geometry)
+    columns: dict[sp.Symbol, np.ndarray] = {}
+    views, words, size = [], [], sum(geometry)
     for (name, q), symbols in zip(motions.items(), (Q, OTHER), strict=True):
         q = _motion(q)
         columns |= dict(zip(symbols, q.T, strict=True))
@@ -93,10 +94,10 @@ def _motion(q: np.ndarray) -> np.ndarray:
 
 def _seen(points: Sequence[np.ndarray], size: float, parts: list, title: str = "") -> Space:
     """A view that holds all the points, (..., 3), of a motion of an arm of this size."""
-    points = np.concatenate([np.reshape(some, (-1, 3)) for some in points])
-    low, high = points.min(axis=0), points.max(axis=0)
+    all_points = np.concatenate([np.reshape(some, (-1, 3)) for some in points])
+    low, high = all_points.min(axis=0), all_points.max(axis=0)
     middle = np.append((low + high)[:2] / 2, 0.3 * size)
-    far = max(0.65 * size, 1.15 * np.linalg.norm(points - middle, axis=1).max())
+    far = max(0.65 * size, 1.15 * np.linalg.norm(all_points - middle, axis=1).max())
     return Space(tuple(np.round(middle, 4).tolist()), round(float(far), 4), round(size / 6, 4), parts, title=title)
 
 

@@ -6,7 +6,7 @@ from IPython.display import HTML
 
 from ... import arm
 from ...symbolic import TASK, XYZ, P
-from ..stage import Challenge, Handle, Level, Line, Plane, Slider, Words, largest, least, stage
+from ..stage import Challenge, Handle, Item, Level, Line, Plane, Slider, Words, largest, least, stage
 from .branches import DISTANCE, DOWN, REACHED, UP, arm_from_the_side, both_elbows, three_formulas, within_limits
 from .solids import DEGREES, circle, values_of
 
@@ -20,7 +20,7 @@ def pitches_at_a_point(geometry: arm.Geometry = arm.LYNX) -> HTML:
     L_3 = P[3]
     let = both_elbows(*three_formulas())
     let |= {slack: least(REACHED, within_limits(q)) for slack, q in zip(INSIDE, (UP, DOWN), strict=True)}
-    items = [Level(slack, (r, z), colour, 0.2) for slack, colour in zip(INSIDE, COLOURS, strict=True)]
+    items: list[Item] = [Level(slack, (r, z), colour, 0.2) for slack, colour in zip(INSIDE, COLOURS, strict=True)]
     items += [*_wrists(), circle((r, z), L_3, "aid")]
     for q, slack in ((DOWN, INSIDE[1]), (UP, INSIDE[0])):
         items += arm_from_the_side(q, size, least(REACHED, -slack - sp.Float(1e-12)), pale=True)

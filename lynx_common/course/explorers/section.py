@@ -6,7 +6,7 @@ from IPython.display import HTML
 from ... import arm
 from ...arm import formulas
 from ...symbolic import TASK, WRIST, P, Q
-from ..stage import Challenge, Handle, Level, Plane, Slider, Words, largest, least, magnitude, stage
+from ..stage import Challenge, Handle, Item, Level, Plane, Slider, Words, largest, least, magnitude, stage
 from .branches import arm_from_the_side, side_view
 from .solids import about, circle, light, room, values_of
 
@@ -24,7 +24,7 @@ def section_of_limits(geometry: arm.Geometry = arm.LYNX) -> HTML:
     let = {CLAMPED[0]: largest(low_2, least(high_2, Q[1])), CLAMPED[1]: largest(low_3, least(high_3, Q[2]))}
     let[LEFT] = least(high_2 - low_2, high_3 - low_3)
     points = side_view([0, *CLAMPED, sp.pi / 2, 0])
-    items = [Level(_within(sign), TASK[1:3], "right", 0.3) for sign in (1, -1)]
+    items: list[Item] = [Level(_within(sign), TASK[1:3], "right", 0.3) for sign in (1, -1)]
     items += [
         circle((0, d_1), L_1 + L_2, "aid"),
         *arm_from_the_side([0, *CLAMPED, sp.pi / 2, 0], size, LEFT, hand=False),

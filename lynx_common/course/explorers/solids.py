@@ -1,6 +1,6 @@
 """The robots as solids, in symbols: what the stages draw of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 import sympy as sp
@@ -14,7 +14,7 @@ DEGREES = 180 / sp.pi
 ROUNDING = 1e-8  # of the reach: full stretch counts as reached; a page keeps nine digits of 1 + ROUNDING
 
 
-def values_of(symbols: Sequence[sp.Symbol], geometry: Sequence[float]) -> dict[sp.Symbol, float]:
+def values_of(symbols: Sequence[sp.Symbol], geometry: Iterable[float]) -> dict[sp.Symbol, float]:
     """What is fixed on a stage: the lengths of its robot."""
     return dict(zip(symbols, geometry, strict=True))
 

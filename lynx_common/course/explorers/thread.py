@@ -6,7 +6,22 @@ from IPython.display import HTML
 from ... import arm
 from ...arm import formulas
 from ...symbolic import TASK, WRIST, XYZ, P
-from ..stage import Body, Challenge, Choice, Handle, Line, Plane, Slider, Words, largest, least, magnitude, stage
+from ..stage import (
+    Body,
+    Challenge,
+    Choice,
+    Control,
+    Handle,
+    Item,
+    Line,
+    Plane,
+    Slider,
+    Words,
+    largest,
+    least,
+    magnitude,
+    stage,
+)
 from .branches import arm_from_the_side, side_view, within_limits
 from .solids import circle, light, room, values_of
 
@@ -27,7 +42,7 @@ def thread_around_a_ball(geometry: arm.Geometry = arm.LYNX) -> HTML:
     points, size = side_view(POSTURE), sum(geometry)
     shown = least(REACHED, ENDS)
     track = sp.Matrix([[sp.Piecewise((TASK[1], ENDS >= 0), (sp.nan, True)), TASK[2]]])
-    items = [
+    items: list[Item] = [
         Body(sp.Matrix([BALL[:2]]), BALL[2], "printed", clear=True),
         circle(BALL[:2], KEEP, "aid"),
         Line(track, "z", 2.5, along=(SHARE, 0, 1, 120)),
@@ -39,7 +54,7 @@ def thread_around_a_ball(geometry: arm.Geometry = arm.LYNX) -> HTML:
     view = Plane("r [m]", "z [m]", (-0.52, -0.02), (0.38, 0.8), 0.1, items, [grab])
     ranges = ((-0.4, 0.2), (0.2, 0.7), (0.02, 0.2), (0, 0.08))
     names = ("ball r", "ball z", "radius", "margin")
-    controls = [Slider(SHARE, "way", 0, 1, 0, 0.01, "")]
+    controls: list[Control] = [Slider(SHARE, "way", 0, 1, 0, 0.01, "")]
     controls += [
         Slider(s, name, *r, h, 0.01, "m") for s, name, r, h in zip(BALL, names, ranges, HOME, strict=True)
     ]

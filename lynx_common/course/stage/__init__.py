@@ -11,7 +11,9 @@ from .parts import (
     Body,
     Challenge,
     Choice,
+    Control,
     Handle,
+    Item,
     Level,
     Line,
     Motion,
@@ -22,24 +24,3 @@ from .parts import (
     before,
 )
 from .script import javascript, largest, least, magnitude
-
-__all__ = [
-    "ALWAYS",
-    "Body",
-    "Challenge",
-    "Choice",
-    "Handle",
-    "Level",
-    "Line",
-    "Motion",
-    "Plane",
-    "Slider",
-    "Space",
-    "Words",
-    "before",
-    "javascript",
-    "largest",
-    "least",
-    "magnitude",
-    "stage",
-]

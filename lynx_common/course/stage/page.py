@@ -2,7 +2,7 @@
 
 import html
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from re import sub
 
@@ -139,7 +139,7 @@ class _Writer:
         return [len(self.numbers) - len(numbers), len(numbers)]
 
     def view(self, view: Plane | Space) -> dict:
-        kinds = {Line: self.line, Body: self.body, Level: self.level}
+        kinds: dict[type, Callable] = {Line: self.line, Body: self.body, Level: self.level}
         items = [_said(kinds[type(item)](item)) for item in view.items]
         handles = [self.handle(handle) for handle in view.handles]
         return vars(view) | {"items": items, "handles": handles}
@@ -187,14 +187,14 @@ class _Writer:
     def inputs_of(self, expr: sp.Expr) -> set[sp.Symbol]:
         """What an expression depends on, also by way of the intermediate results."""
         used = expr.free_symbols
-        for symbol, value in reversed(self.let.items()):
+        for symbol, value in reversed(list(self.let.items())):
             used = used | value.free_symbols if symbol in used else used
         return used
 
     def script(self) -> str:
         """All compiled functions, by name."""
         earlier = {symbol: before(symbol) for symbol in (*self.inputs, *self.let)}
-        let = self.let | {before(symbol): expr.xreplace(earlier) for symbol, expr in self.let.items()}
+        let = dict(self.let) | {before(symbol): expr.xreplace(earlier) for symbol, expr in self.let.items()}
         then = [before(symbol) for symbol in self.inputs]
         named: dict[str, str | list[str]] = {
             "compute": javascript(self.numbers, self.inputs, self.fixed, let=self.let),

@@ -83,6 +83,10 @@ class Level:
     dashed: bool = False
 
 
+Item = Line | Body | Level  # what a view shows
+Control = Slider | Choice
+
+
 @dataclass(frozen=True)
 class Words:
     """A line of text in which each {} is one of ``values``, shown ``when`` a number is not negative."""
@@ -118,7 +122,7 @@ class Plane:
     low: tuple[float, float]
     high: tuple[float, float]
     tick: float
-    items: Sequence[Line | Body | Level]
+    items: Sequence[Item]
     handles: Sequence[Handle] = ()
 
 
@@ -133,7 +137,7 @@ class Space:
     centre: tuple[float, float, float]
     radius: float
     tick: float
-    items: Sequence[Line | Body]
+    items: Sequence[Item]
     handles: Sequence[Handle] = ()
     title: str = ""
     turn: float = -40

@@ -82,8 +82,8 @@ def javascript(
 
 def _needed(wanted: set[sp.Symbol], let: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
     """Those of the intermediate results on which the wanted symbols depend, in their order."""
-    needed = {}
-    for symbol, expr in reversed(let.items()):
+    needed: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, expr in reversed(list(let.items())):
         if symbol in wanted:
             needed[symbol], wanted = sp.sympify(expr, strict=True), wanted | expr.free_symbols
     return dict(reversed(needed.items()))

@@ -15,8 +15,8 @@ lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=...: in ano
 test: .venv/ready  ## test the package; re-run every notebook and compare every output
 	@$(VENV)/python -m pytest
 
-lint: .venv/ready  ## ask ruff about code and notebooks, and whether the code is formatted
-	@$(VENV)/ruff check && $(VENV)/ruff format --check
+lint: .venv/ready  ## ask ruff about code and notebooks and whether the code is formatted, and mypy about types
+	@$(VENV)/ruff check && $(VENV)/ruff format --check && $(VENV)/mypy
 
 figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebook, ONLY=1.2: one figure)
 	@$(VENV)/python -m lynx_common.course.execute figures $(ONLY)

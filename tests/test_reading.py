@@ -10,7 +10,7 @@ import sympy as sp
 
 from lynx_common import arcs, arm, dh, motion, obstacles, planner, reading, rrr, screws, symbolic, workspace
 from lynx_common.course import exercises, report
-from lynx_common.course.script import Words, javascript, page
+from lynx_common.course.stage import Words, javascript, stage
 from lynx_common.errors import GeometryError, InputError, LynxError, NotAchievableError
 from lynx_common.symbolic import Q
 
@@ -236,7 +236,7 @@ def test_text_is_never_evaluated(wrap, monkeypatch, capsys):
         lambda: dh.rot_x(given),
         lambda: dh.trans(0, 0, given),
         lambda: javascript([given], Q),
-        lambda: page([], [], [Words("{}", [given])], {}, "", 100),
+        lambda: stage([], [], [Words("{}", [given])], {}, ""),
         *(lambda key=key: report.check(key, given) for key in ("eq. 1.5", "Fig. 1.2", "claim A1.1", "Table 1.1")),
     ]
     for call in calls:

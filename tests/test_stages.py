@@ -149,6 +149,18 @@ def test_the_gripper_can_be_led_and_the_joints_follow(geometry, rng):
         assert np.linalg.norm(arm.forward_kinematics(q, geometry)[:3, 3] - tip) < size / 2
 
 
+def test_led_from_behind_the_gripper_stays_on_that_side():
+    page = opened(the_arm)
+    page.set(20, 130, -20, 70, 0, -1)
+    before = arm.task_coordinates(np.deg2rad(page.run("inputs")[:5]))
+    assert before[1] < 0
+    at = page.place(arm.forward_kinematics(np.deg2rad(page.run("inputs")[:5]))[:3, 3])
+    page.drag(0, at, at + [8, 6])
+    q = np.deg2rad(page.run("inputs")[:5])
+    np.testing.assert_allclose(page.place(arm.forward_kinematics(q)[:3, 3]), at + [8, 6], atol=0.3)
+    assert arm.task_coordinates(q)[1] < 0
+
+
 def test_beyond_the_reach_the_arm_points_at_the_finger_and_says_why():
     page = opened(the_arm)
     page.set(0, 45, -30, 75, 0, -1)

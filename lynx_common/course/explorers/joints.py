@@ -32,11 +32,22 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     rows = [f"{start}{{}} {{}} {{}} {{}}" for start in starts]
     words = [Words(row, list(frames[4][i, :]), columns=True) for i, row in enumerate(rows)]
     words.append(Words("gripper at {}, {}, {} m", list(tip)))
+    challenges = _challenges(tip, star, size)
+    view = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), items, [grip(tip)])
+    title = "The arm in space, its gripper and the frames of its links; sliders for its five joint angles"
+    controls: list[Control] = [
+        *joint_sliders(HOME_DEG),
+        Choice(SHOWN, "frames", {"gripper only": -1, "all": 1}, -1),
+    ]
+    return stage([view], controls, words, values_of(P, geometry), title, challenges=challenges)
+
+
+def _challenges(tip: sp.Matrix, star: sp.Matrix, size: float) -> list[Challenge]:
     down = least(
         0.03 * size - sp.sqrt((tip - star).dot(tip - star)), -sp.sin(formulas.pitch()) - sp.cos(sp.pi / 18)
     )
     r = formulas.task_coordinates()[1]
-    challenges = [
+    return [
         Challenge(
             "Bring the gripper to the ball with the fork pointing down.", "At the ball, pointing down.", down
         ),
@@ -46,13 +57,6 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
             0.02 * size - sp.Abs(r),
         ),
     ]
-    view = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), items, [grip(tip)])
-    title = "The arm in space, its gripper and the frames of its links; sliders for its five joint angles"
-    controls: list[Control] = [
-        *joint_sliders(HOME_DEG),
-        Choice(SHOWN, "frames", {"gripper only": -1, "all": 1}, -1),
-    ]
-    return stage([view], controls, words, values_of(P, geometry), title, challenges=challenges)
 
 
 def joint_sliders(home: Sequence[float], limits: np.ndarray = arm.JOINT_LIMITS) -> list[Slider]:

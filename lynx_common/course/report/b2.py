@@ -56,22 +56,24 @@ PRINTED = {
         "claim B2.2": claim("turning joint 5 multiplies the gripper's pose by a turn about its z axis"),
         "claim B2.3": claim(
             "the equations of section 1.3.2 give the joint angles of all five poses",
-            "wrong: atan2(y, x) serves for a, b, d, e, and at c any theta_1 will do",
-            "(1.14) has 0/0 at c, and theta_1 = 0 at d, where the wrist would then be 0.4243 m from the shoulder",
+            "holds, if phi of d and e is read as 180 deg - phi, and any theta_1 is taken at c",
+            "with phi as given the wrist of d would be 0.4243 m from the shoulder, and at c (1.14) is 0/0",
         ),
         "claim B2.4": claim(
             "the interpolated points, shown one after another, are a motion of the arm",
-            "wrong: for a motion theta_1 has to stay at 0, and the arm to lean over backwards from c on",
-            "at c theta_1 jumps by 180 deg between two samples, which the pictures do not show",
+            "holds, if the arm stops at c and theta_1 turns there by 180 deg, or if theta_1 stays and it leans "
+            "backwards",
+            "between two samples at c theta_1 jumps by 180 deg, which the pictures do not show",
         ),
         "claim B2.5": claim(
             "the joints' positions, connected, show the arm: neighbours are a link apart, whatever the angles"
         ),
         "claim B2.6": claim(
             "the star shows how well the arm performs",
-            "wrong: its error is between the samples; and drawn in one go it winds twice round the base, where "
-            "joint 1 has one turn within this course's limits",
-            "at the samples the error is that of rounding, also for an arm of quite other lengths",
+            "holds, if it shows that the inverse kinematics reaches the points drawn; how the arm moves between "
+            "them it does not show",
+            "at the samples the error is that of rounding, for an arm of quite other lengths too; between them it "
+            "is not",
         ),
     },
     "1.5, p. 10": {

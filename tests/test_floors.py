@@ -187,7 +187,6 @@ def test_the_package_stays_small():
 RESULTS = {
     "certify.Certificate": "what along and over return",
     "motion.Followed": "what follow returns",
-    "motion.trapezoidal": "the time scaling of most robot controllers",
     "planner.Plan": "what plan returns",
     "screws.Screw": "what screw_axis returns",
     "workspace.Occupancy": "what occupancy returns",

@@ -33,7 +33,7 @@ from .solids import DEGREES, about, room, values_of
 SIGMA, ANGLES = sp.symbols("sigma_1:4", real=True), sp.symbols("motor_1:4", real=True)
 SPANS, ROOMS = sp.symbols("span_1:4", real=True), sp.symbols("room_1:4", real=True)
 CLOSES, DET = sp.symbols("closes det_A", real=True)
-START = (55.04, 82.43, 0.5726)  # mm, mm, rad; of notebook Part2, section 10: one of four poses of its motor angles
+START = (55.04, 82.43, 0.5726)  # mm, mm, rad; of notebook Part2, section 9: one of four poses of its motor angles
 MODE = (1, 1, -1)
 LOOSE = 0.01  # of det A, for links of unit length and a platform of unit radius: the motors hardly hold it
 

@@ -33,6 +33,7 @@ SHARE, BEND, KEEP, ENDS, REACHED, CLEAR, CLEAR_OF_LINE = sp.symbols(
 )
 POSTURE = sp.symbols("q_1:6", real=True)
 HOME = (-0.2, 0.6, 0.15, 0)
+LINK = 0.02  # m, how thick the links are all round, as in notebook B3
 ASKED = 0.02  # m, the clearance of the challenge
 
 
@@ -129,7 +130,7 @@ def _posture() -> dict[sp.Symbol, sp.Expr]:
     let = dict(zip(WRIST, formulas.wrist(), strict=True))
     let[REACHED] = room(sp.sqrt(WRIST[0] ** 2 + WRIST[1] ** 2), P[1], P[2])
     let |= zip(POSTURE, light(formulas.joint_angles()).xreplace({formulas.SIGMA: BEND}), strict=True)
-    return let | {CLEAR: _clearance(side_view(POSTURE), sp.Matrix([BALL[:2]])) - BALL[2]}
+    return let | {CLEAR: _clearance(side_view(POSTURE), sp.Matrix([BALL[:2]])) - BALL[2] - LINK}
 
 
 def _clearance(points: sp.Matrix, centre: sp.Matrix) -> sp.Expr:
@@ -145,7 +146,7 @@ def _clearance(points: sp.Matrix, centre: sp.Matrix) -> sp.Expr:
 
 def _words() -> list[Words]:
     tip, shown = side_view(POSTURE)[4, :] - sp.Matrix([BALL[:2]]), least(ENDS, REACHED)
-    text = "clearance of the gripper {} m, of the whole arm {} m"
+    text = "clearance of the gripper {} m, of the whole arm, its links 20 mm thick all round, {} m"
     return [
         Words(text, [sp.sqrt(tip.dot(tip)) - BALL[2], CLEAR], 3, shown),
         Words("a link is in the ball", when=least(shown, -CLEAR)),

@@ -74,7 +74,7 @@ EXERCISES = {
         hints=(
             "Evaluate sin(theta_3) and r = cos(theta_2) + cos(theta_2 + theta_3) for each posture.",
             "For the position: where both vanish, which columns are zero, and which are parallel? For the whole: "
-            "sections 4 and 5 name the only factor that makes the four screws dependent.",
+            "section 3 names the only factor that makes the four screws dependent.",
         ),
         explanation="At (30°, 0°) only the elbow factor vanishes, at (45°, 90°) only $r$: the position has rank "
         "2. At (90°, 0°) the arm is stretched upright: the first column is zero, since $r = 0$, and the other two "
@@ -102,7 +102,7 @@ EXERCISES = {
         ),
         hints=(
             "Which of the three singular values says how far the worst direction is from being lost?",
-            "`sigma_min` of section 3 takes postures (..., 3), in radians.",
+            "`sigma_min` of section 7 takes postures (..., 3), in radians.",
         ),
         explanation="The smallest singular values are 5.08, 4.23, 1.55 and 7.07 units per rad. The determinants "
         "are $-1534$, $366$, $-633$ and $750$: neither by sign nor by magnitude do they give this order. Posture "

@@ -1,4 +1,4 @@
-"""Exercises of Part 3: two ranks, an order of postures, a wrist of three axes, what a structure carries."""
+"""Exercises of Part 3: two ranks, an order of postures, a wrist of three axes, what a structure carries, damping."""
 
 from collections.abc import Callable
 
@@ -28,6 +28,16 @@ MAGNITUDE = "this is the order of the determinant's magnitude; a small factor ma
 # P3.3: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
 LEAST = 0.6
 LEAN = float(np.arccos(1 - LEAST**2))
+
+
+# P3.5: damping for a joint speed of 0.8 rad/s, and the share of the motion it costs at a singular value of 3.
+DAMPING = 1 / (2 * 0.8)
+TOO_MUCH = 1 / 0.8
+
+
+def share_lost(damping: float) -> float:
+    """Share of the motion that damping costs in a direction with the singular value 3."""
+    return damping**2 / (damping**2 + 3**2)
 
 
 # P3.4: a SCARA arm carries couples about level axes, and no other wrench (f, m).
@@ -74,7 +84,7 @@ EXERCISES = {
         hints=(
             "Evaluate sin(theta_3) and r = cos(theta_2) + cos(theta_2 + theta_3) for each posture.",
             "For the position: where both vanish, which columns are zero, and which are parallel? For the whole: "
-            "sections 4 and 5 name the only factor that makes the four screws dependent.",
+            "section 3 names the only factor that makes the four screws dependent.",
         ),
         explanation="At (30°, 0°) only the elbow factor vanishes, at (45°, 90°) only $r$: the position has rank "
         "2. At (90°, 0°) the arm is stretched upright: the first column is zero, since $r = 0$, and the other two "
@@ -102,7 +112,7 @@ EXERCISES = {
         ),
         hints=(
             "Which of the three singular values says how far the worst direction is from being lost?",
-            "`sigma_min` of section 3 takes postures (..., 3), in radians.",
+            "`sigma_min` of section 7 takes postures (..., 3), in radians.",
         ),
         explanation="The smallest singular values are 5.08, 4.23, 1.55 and 7.07 units per rad. The determinants "
         "are $-1534$, $366$, $-633$ and $750$: neither by sign nor by magnitude do they give this order. Posture "
@@ -169,5 +179,29 @@ EXERCISES = {
         code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
         "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
         "answer_4 = screws.reciprocal_system(twists)[:, 0]",
+    ),
+    "P3.5": Exercise(
+        form=Form((2,)),
+        right=[DAMPING, share_lost(DAMPING)],
+        misconceptions=(
+            (
+                [TOO_MUCH, share_lost(TOO_MUCH)],
+                "this damping keeps the limit with room to spare: the highest joint speed is half of 1/lambda.",
+            ),
+            ([DAMPING, 1 - share_lost(DAMPING)], "the second number is the share that is left, not the one lost."),
+            (
+                [DAMPING, DAMPING / (DAMPING**2 + 3**2)],
+                "lambda over the sum of squares is no share: its unit is that of a speed.",
+            ),
+            ([DAMPING, 3 / (DAMPING**2 + 3**2)], "the second number is the joint speed; the error is asked."),
+        ),
+        hints=(
+            "Section 10 gives the speed and the error over sigma. Where is the speed highest, and how high is it?",
+            "The highest speed is 1/(2 lambda), at sigma = lambda; the share lost is lambda^2/(sigma^2 + lambda^2).",
+        ),
+        explanation="The joint speed is never more than $1/(2\\lambda)$ for 1 unit/s, so "
+        "$\\lambda = 1/(2 \\cdot 0.8) = 0.625$ units per rad. At $\\sigma = 3$ it costs "
+        "$\\lambda^2/(\\sigma^2 + \\lambda^2) = 0.0416$ of the motion, about 4 %.",
+        code="damping = 1 / (2 * 0.8)\nanswer_5 = [damping, damping**2 / (damping**2 + 3**2)]",
     ),
 }

@@ -31,10 +31,11 @@ NOTEBOOK = "Part3_singularity_avoidance"
 PRINTED = {
     "3.1, pp. 20-21": {
         "claim P3.1": claim(
-            "in a singular configuration a robot loses degrees of freedom",
-            "wrong: true of arms; the platform of a parallel robot gains one where the legs' wrenches are "
-            "dependent",
-            "where the lines of its distal links meet, the platform can turn a little with all motors locked",
+            "in a singular configuration, where the Jacobian loses rank, a robot loses degrees of freedom",
+            "holds, if joint rates determine the end's velocity; the platform of a parallel robot can also gain a "
+            "freedom",
+            "where the lines of its distal links meet, its platform can turn infinitesimally with all motors "
+            "locked",
         ),
         "claim P3.2": claim("where the determinant is zero, there are directions in which the end cannot move"),
     },
@@ -104,16 +105,39 @@ PRINTED = {
     "3.4, pp. 24-25": {
         "claim P3.10": claim(
             "the determinant of the position part may overlook singularities that have to do with orientation",
-            "wrong: for this arm it overlooks none, and reports more than there are",
-            "it is zero wherever sin(theta_3) is, and on the base axis too, where the four twists stay "
-            "independent",
+            "holds, if arms with a wrist of three axes are meant; for this arm's position and pitch it overlooks "
+            "none",
+            "it is the determinant of position and pitch as well, and the four twists depend only where "
+            "sin(theta_3) is 0",
         ),
         "claim P3.11": claim("the whole Jacobian and a second-order criterion tell more than the determinant"),
         "claim P3.12": claim(
             "the analysis rests on screw theory",
-            "wrong: it takes only the upper halves of the screws of joints 2 to 4, dependent in every posture",
-            "the halves are perpendicular to one direction, about whichever point they are taken; the whole "
-            "screws are dependent only where sin(theta_3) is 0",
+            "holds, if the columns of (3.3) count as screws, which they are, about the end; what is judged is "
+            "only halves",
+            "the halves of joints 2 to 4 are dependent in every posture, the whole screws only where sin(theta_3) "
+            "is 0",
+        ),
+        "claim P3.13": claim(
+            "near a singular configuration a joint can have to move very fast, which makes control hard"
+        ),
+        "claim P3.14": claim(
+            "smooth trajectories through the waypoints avoid singular configurations",
+            "wrong: smoothness says nothing of singularities; the least singular value along the path would",
+            "the straight line from (10, 0, 10) to (-10, 0, 10) is smooth, and crosses the base axis, where det "
+            "J_p is 0",
+        ),
+        "claim P3.15": claim(
+            "the trajectories are smooth and predictable, so that abrupt motions are unlikely",
+            "holds, if the arm stops at the second waypoint; otherwise its velocity jumps there by 0.857 of its "
+            "speed",
+            "the path printed turns by 50.8 deg there, and says nothing of time",
+        ),
+        "claim P3.16": claim(
+            "the method identifies and avoids singularities during operation, and so contributes to safety",
+            "wrong: no posture of the path is looked at; to be shown is a bound of the least singular value along "
+            "it",
+            "the postures plotted are straight, none of the path is, and the path begins where the rank is 1",
         ),
     },
 }

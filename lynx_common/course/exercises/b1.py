@@ -47,9 +47,9 @@ EXERCISES = {
         ),
         hints=(
             "Draw the triangle of shoulder, wrist and gripper, the arm stretched: its sides are 0.4, 0.1, 0.4 m.",
-            "Section 4 gives an interval for the pitch. What are rho and psi, level with the shoulder?",
+            "Section 6 gives an interval for the pitch. What are d and psi, level with the shoulder?",
         ),
-        explanation="The interval of section 6 with $\\rho = 0.4$ m and $\\psi = 0$: $k = \\frac{1}{8}$, so the "
+        explanation="The interval of section 6 with $d = 0.4$ m and $\\psi = 0$: $k = \\frac{1}{8}$, so the "
         "pitch lies between -82.8° and 82.8°. At either end the arm is stretched.",
         code="L = arm.Geometry()\n"
         "k = (0.4**2 + L.L_3**2 - (L.L_1 + L.L_2) ** 2) / (2 * 0.4 * L.L_3)\n"

@@ -1,4 +1,4 @@
-"""Exercises of Part 3: two ranks, an order of postures, a wrist of three axes, what a structure carries, damping."""
+"""Exercises of Part 3: ranks, an order of postures, a wrist of three axes, what a structure carries, damping."""
 
 from collections.abc import Callable
 
@@ -197,7 +197,7 @@ EXERCISES = {
         ),
         hints=(
             "Section 10 gives the speed and the error over sigma. Where is the speed highest, and how high is it?",
-            "The highest speed is 1/(2 lambda), at sigma = lambda; the share lost is lambda^2/(sigma^2 + lambda^2).",
+            "The highest speed is 1/(2 lambda); the share lost is lambda^2/(sigma^2 + lambda^2).",
         ),
         explanation="The joint speed is never more than $1/(2\\lambda)$ for 1 unit/s, so "
         "$\\lambda = 1/(2 \\cdot 0.8) = 0.625$ units per rad. At $\\sigma = 3$ it costs "

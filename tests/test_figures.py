@@ -2,6 +2,7 @@
 
 import matplotlib.pyplot as plt
 import pytest
+import sympy as sp
 from PIL import Image
 
 from lynx_common.course import figures
@@ -99,6 +100,11 @@ def test_a_table_shows_numbers_to_four_digits_without_negative_zeros(shown):
     table, caption = shown
     assert table.data == "| what | value |\n| :-- | :-- |\n| angles | 1.2346, 0.0000 |\n| length | 0.1000 |"
     assert caption.data == "**Fig. 9.**"
+
+
+def test_a_table_shows_counts_and_formulas_as_they_are(shown):
+    figures.table(["$i$", "$d_i$"], [[1, sp.pi / 2], [2, sp.Symbol("d_1")]], "Two rows.")
+    assert shown[0].data.splitlines()[2:] == [r"| 1 | $\frac{\pi}{2}$ |", "| 2 | $d_{1}$ |"]
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+import sympy as sp
 from IPython.display import Image, Markdown, display
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -75,12 +76,14 @@ def show(fig: Figure, caption: str) -> None:
 
 
 def table(header: list[str], rows: list[list], caption: str) -> None:
-    """Show a table, its numbers to four digits, with ``caption`` below it; for printouts of a console."""
+    """Show a table with ``caption`` below it: counts and formulas as they are, other numbers to four decimals."""
     lines = [header, [":--"] * len(header), *([_text(entry) for entry in row] for row in rows)]
     display(Markdown("\n".join(f"| {' | '.join(line)} |" for line in lines)), Markdown(caption))
 
 
-def _text(entry: str | ArrayLike) -> str:
-    if isinstance(entry, str):
-        return entry
+def _text(entry: str | sp.Basic | ArrayLike) -> str:
+    if isinstance(entry, str | int):
+        return str(entry)
+    if isinstance(entry, sp.Basic):
+        return f"${sp.latex(entry)}$"
     return ", ".join(f"{value:.4f}" for value in np.round(np.atleast_1d(entry), 4) + 0.0)

@@ -76,10 +76,10 @@ def link_schema(ax: Axes) -> Axes:
     tip, z, x_before, x = end[:3, 3], np.array([0, 0, 1.0]), np.array([1.0, 0, 0]), end[:3, 0]
     foot = d * z
     _polyline(ax, [0 * z, foot, tip], color="black", linewidth=3, zorder=1)
-    for point, axis in ((0 * z, z), (tip, end[:3, 2])):
-        _polyline(
-            ax, [point - 0.06 * axis, point + 0.26 * axis], color=COLOURS["aid"], linestyle="--", linewidth=1
-        )
+    for i, point, axis in (("i", 0 * z, z), ("i+1", tip, end[:3, 2])):
+        low, high = point - 0.06 * axis, point + 0.32 * axis
+        _polyline(ax, [low, high], color=COLOURS["aid"], linestyle="--", linewidth=1)
+        ax.annotate(f"axis of joint ${i}$", high @ VIEW, xytext=(0, 4), textcoords="offset points", ha="center")
     _polyline(ax, [foot, foot + 0.2 * x_before], color=COLOURS["x"], linestyle=":")
     _polyline(ax, [tip, tip + 0.2 * z], color=COLOURS["z"], linestyle=":")
     _triad(ax, np.eye(4), 0.1, "{i-1}")
@@ -125,7 +125,7 @@ def _number_steps(ax: Axes, foot: np.ndarray, end: np.ndarray) -> None:
     _, y, z, tip = end[:3].T
     marked = (
         (1, [0, 0, -0.06], (16, 0)),
-        (1, tip + 0.26 * z, (16, -4)),
+        (1, tip + 0.32 * z, (22, -10)),
         (2, (3 * foot + tip) / 4, (-8, 18)),
         (3, tip, (18, -20)),
         (4, tip + 0.1 * y, (-26, -4)),

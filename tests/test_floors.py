@@ -188,8 +188,6 @@ UNUSED = {
     "certify.Certificate": "what along and over return",
     "motion.Followed": "what follow returns",
     "planner.Plan": "what plan returns",
-    "screws.product_of_exponentials": "what A1 derives, for any other chain; a law holds the arm to it",
-    "screws.space_jacobian": "the Jacobian without link frames; a law holds the arm to it",
     "screws.Screw": "what screw_axis returns",
     "workspace.Occupancy": "what occupancy returns",
     "workspace.Sweep": "what sweep returns",

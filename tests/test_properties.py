@@ -232,19 +232,6 @@ def test_the_power_of_a_force_is_that_on_the_point_it_acts_on(twist, direction, 
 
 
 @few
-@given(configurations, numbers(-1, 1, 5), lengths)
-def test_screws_and_link_frames_give_the_same_arm(q, q_dot, geometry):
-    frames = arm.link_frames(np.zeros(5), geometry)
-    joints = screws.revolute(frames[:5, :3, 2], frames[:5, :3, 3]).T
-    pose = arm.forward_kinematics(q, geometry)
-    np.testing.assert_allclose(screws.product_of_exponentials(joints, frames[5], q), pose, atol=1e-11)
-    v, omega = np.split(screws.space_jacobian(joints, q) @ q_dot, 2)
-    np.testing.assert_allclose(
-        v + np.cross(omega, pose[:3, 3]), (arm.jacobian(q, geometry) @ q_dot)[:3], atol=1e-10
-    )
-
-
-@few
 @given(systems.map(lambda columns: np.array(columns, float).T), motions)
 def test_twists_and_the_wrenches_that_do_no_work_on_them_are_six_together_in_any_frame(twists, T):
     wrenches = screws.reciprocal_system(twists)

@@ -7,12 +7,12 @@ The power of the one on the other is then the plain product f . v + m . omega. S
 radians, lengths in any one unit.
 
 Many books write (omega, v) instead; there the blocks of ``adjoint`` change places. A twist, a wrench or a pose
-that holds NaN or infinity gives NaN; the screws of a chain of joints and of a system must be finite. Complex
-numbers and wrong shapes raise InputError.
+that holds NaN or infinity gives NaN; the screws of a system must be finite. Complex numbers and wrong shapes raise
+InputError.
 
 Source: K. Lynch and F. Park, Modern Robotics, chapters 3 to 5, with the halves of the six-vectors exchanged.
 """
 
 from ._lines import Screw, force, prismatic, revolute, screw_axis
-from ._motions import adjoint, exp, product_of_exponentials, space_jacobian
+from ._motions import adjoint, exp
 from ._systems import order, reciprocal_product, reciprocal_system

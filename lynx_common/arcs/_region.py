@@ -183,9 +183,8 @@ class Region:
         cuts = [start]
         for angle in (crossing, -crossing):
             share = np.mod((angle - start) * turn, 2 * np.pi) / abs(sweep)
-            cuts.append(
-                start + sweep * np.where(share < 1, share, 0)
-            )  # not on the arc, or NaN: a piece of length 0
+            on_arc = np.where(share < 1, share, 0)  # else, or where it is NaN, a piece of length 0
+            cuts.append(start + sweep * on_arc)
         along = np.sort(np.stack([*cuts, start + sweep], axis=-1) * turn[:, None], axis=-1)
         ends = np.stack([along[:, :-1], along[:, 1:]], axis=-1) * turn[:, None, None]
         return np.repeat(x, 3)[:, None], np.repeat(rho, 3)[:, None], ends.reshape(-1, 2)

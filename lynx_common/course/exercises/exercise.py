@@ -1,8 +1,8 @@
 """One exercise: its right answer, what is commonly mistaken for it, and judging an answer.
 
-An answer is judged to four significant digits, relative to its largest entry. Its author is told
-which kind of slip it shows, or that it is nearly right; never by how much it is off, nor in which direction, which
-would give the answer away.
+An answer is judged to four significant digits, relative to its largest entry. Its author is told which kind of
+slip it shows, or that it is nearly right; never by how much it is off, nor in which direction, which would give
+the answer away.
 """
 
 import warnings
@@ -86,10 +86,7 @@ class Exercise:
             x = self.form.read(answer)
         except UnreadableAnswerError as fault:
             return str(fault)
-        with (
-            np.errstate(all="ignore"),
-            warnings.catch_warnings(action="ignore"),
-        ):  # of degrees, which it says itself
+        with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):  # degrees it names itself
             if self._is_right(x):
                 return RIGHT
             said = self._choice(x) if self.choices else self._slip(x) or self._other_unit(x) or self._rest(x)

@@ -8,7 +8,7 @@ from IPython.display import HTML
 
 from ... import arm, rrr
 from ...errors import InputError
-from ...reading import real
+from ...reading import finite
 from ...symbolic import P, Q
 from ..stage import Body, Line, Motion, Space, Words, stage
 from .legs import platform_on_legs
@@ -81,14 +81,14 @@ def platform_in_motion(
     geometry: rrr.Geometry = rrr.RRR,
 ) -> HTML:
     """A motion of the 3-RRR that plays: poses (n, 3) in mm and radians, and motor angles (n, 3) in radians."""
-    poses, theta = real(poses, "poses", 3), real(theta, "motor angles", 3)
+    poses, theta = finite(poses, "poses", None, 3), finite(theta, "motor angles", None, 3)
     return platform_on_legs(poses, theta, seconds, title, geometry)
 
 
 def _motion(q: np.ndarray) -> np.ndarray:
-    q = real(q, "joint angles", 5)
-    if q.ndim != 2 or not len(q) or not np.isfinite(q).all():
-        raise InputError(f"A motion has finite joint angles (n, 5); {q.shape} was given.")
+    q = finite(q, "joint angles", None, 5)
+    if not len(q):
+        raise InputError("A motion has one posture at least; none was given.")
     return q
 
 

@@ -12,7 +12,7 @@ from IPython.display import HTML
 
 from ...drawing import COLOURS
 from ...errors import InputError
-from ...reading import formulas, real
+from ...reading import formulas, number, real
 from .parts import (
     ALWAYS,
     Body,
@@ -119,9 +119,7 @@ class _Writer:
         lengths = {column.shape for column in columns.values()}
         if len(lengths) != 1 or len(next(iter(lengths))) != 1 or not all(np.isfinite(list(columns.values())).flat):
             raise InputError("A motion is a table of finite numbers: for each symbol a column, all equally long.")
-        seconds = real(motion.seconds, "the seconds")
-        if seconds.shape or not 0 < seconds < np.inf:
-            raise InputError(f"The seconds are a finite number above 0; {motion.seconds} was given.")
+        seconds = number(motion.seconds, "duration in seconds", above=0)
         units = {control.symbol: getattr(control, "unit", "") for control in controls}
         rows = [np.rad2deg(c) if units.get(symbol) == "°" else c for symbol, c in columns.items()]
         for symbol, row in zip(columns, rows, strict=True):
@@ -131,7 +129,7 @@ class _Writer:
         places = [self.inputs.index(symbol) for symbol in columns]
         rounded = [np.round(row, 4) + 0.0 for row in rows]
         table = [row.tolist() for row in np.transpose(rounded)]
-        return {"name": motion.name, "seconds": float(seconds), "places": places, "rows": table}
+        return {"name": motion.name, "seconds": seconds, "places": places, "rows": table}
 
     def place(self, numbers: Sequence[sp.Expr]) -> list[int]:
         """Where the numbers stand in what the compiled function returns: the first, and how many."""

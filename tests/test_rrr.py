@@ -231,6 +231,22 @@ def test_forward_kinematics_finds_what_newton_finds_from_many_starts(rng, geomet
         assert away.min(axis=0).max() < 1e-4
 
 
+@pytest.mark.parametrize(
+    ("mode", "pose"),
+    [
+        (5, (-62.54525311108877, 113.43908133134136, 0.3260533485622169)),
+        (4, (28.956759516912864, -85.47232224860406, -0.548096399584814)),
+        (2, (76.68061087221149, -97.8026952904579, 0.09136122781111336)),
+        (3, (-75.42604477119076, -43.08625065783022, -0.31609353333690016)),
+        (2, (86.77363754241128, -90.68838804313006, -0.18170637388554545)),
+    ],
+)
+def test_a_pose_a_hair_from_another_is_found(mode, pose):
+    """det A of unit links is a few millionths there; Newton's method only halves the error in each step."""
+    found = rrr.forward_kinematics(rrr.inverse_kinematics(pose)[mode])
+    assert np.nanmin(np.abs(found - pose).max(axis=1)) < 2e-3
+
+
 @pytest.mark.parametrize("eighths", range(-3, 5))
 def test_alpha_of_half_a_turn_is_found(rng, eighths):
     """tan(alpha / 2) is infinite there. So it is, in the package, opposite to one of these eight angles."""
@@ -624,3 +640,11 @@ def test_two_poses_that_nearly_meet_are_still_two():
         near = poses[np.abs(poses[:, 2] - low) < 1e-2]
         assert len(near) == 2
         assert np.ptp(near[:, 2]) == pytest.approx(parted, rel=0.05)
+
+
+def test_a_robot_that_closes_only_with_a_leg_folded_to_its_inner_circle_is_one():
+    """Where its three rings meet, no two outer circles cross within the third ring."""
+    corners = {"base_angles": (2.52, 4.8, 0.91), "platform_angles": (2.7, 3.86, 1.51)}
+    robot = rrr.Geometry(245, 78, 69, 179, **corners)
+    pose = np.stack(np.meshgrid(*[np.linspace(-200, 200, 81)] * 2, np.linspace(-np.pi, np.pi, 73)), axis=-1)
+    assert rrr.reachable(pose, robot).any()

@@ -17,8 +17,8 @@ from .formulas import THETA
 MODES = 6  # assembly modes, at most
 AT_ONCE = 4096  # configurations worked through at a time
 NEARLY_REAL = 1e-3  # where two real roots nearly meet, rounding can give them imaginary parts
-NEAR = 0.2  # how far the third leg may miss, as a share of L, for a start of Newton's method
-NEWTON = 6  # steps; four suffice but where two poses nearly meet
+NEAR = 0.05  # how far the third leg may miss, as a share of L, for a start of Newton's method
+NEWTON = 20  # steps; four suffice but where two poses nearly meet, and each step halves what is left
 CLOSED = 1e-12  # largest miss of a leg that counts as closed, as a share of S_A + L
 ROUNDED = 1e-15  # miss that no further step makes smaller
 ONE_POSE = 1e-7  # solutions nearer than this, in radians and shares of L, are one
@@ -144,16 +144,18 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
     """
     S_A, L, *_ = geometry
     pose = _wrap(pose)
-    best, least = pose, np.full(len(pose), np.inf)
+    best, least, left = pose.copy(), np.full(len(pose), np.inf), np.arange(len(pose))
     for _ in range(NEWTON + 1):
         with np.errstate(invalid="ignore", divide="ignore"):
-            off, step = np.moveaxis(_newton(pose, theta, geometry), -2, 0)
+            off, step = np.moveaxis(_newton(pose[left], theta[left], geometry), -2, 0)
         miss = np.abs(off).max(axis=-1, initial=0)
-        best = np.where((miss < least)[:, None], pose, best)
-        least = np.fmin(miss, least)
-        if (least <= ROUNDED * (S_A + L) * L).all():
+        better = left[miss < least[left]]
+        best[better] = pose[better]
+        least[left] = np.fmin(miss, least[left])
+        pose[left] = _wrap(pose[left] - step)
+        left = left[least[left] > ROUNDED * (S_A + L) * L]
+        if not len(left):
             break
-        pose = _wrap(pose - step)
     return np.where((least <= CLOSED * (S_A + L) * L)[:, None], best, np.nan)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from lynx_common.arcs import Region, annulus
+from lynx_common.arcs import Region, annulus, crossings
 from lynx_common.errors import InputError
 
 pi = np.pi
@@ -184,7 +184,7 @@ def test_around_asks_for_one_radius(radius):
 def test_circles_cross_at_their_radii_from_both_centres(rng):
     a, b, point = rng.normal(size=(3, 50, 2))
     rho_a, rho_b = (np.linalg.norm(point - centre, axis=-1, keepdims=True) for centre in (a, b))
-    both = np.array(arcs.crossings(a, rho_a, b, rho_b))
+    both = np.array(crossings(a, rho_a, b, rho_b))
     np.testing.assert_allclose(np.linalg.norm(both - a, axis=-1, keepdims=True), [rho_a] * 2, atol=1e-12)
     np.testing.assert_allclose(np.linalg.norm(both - b, axis=-1, keepdims=True), [rho_b] * 2, atol=1e-12)
     left = np.cross(np.pad(b - a, [(0, 0), (0, 1)]), np.pad(both[0] - a, [(0, 0), (0, 1)]))[:, 2]

@@ -1,5 +1,6 @@
 """The 3-RRR: assembly modes of many configurations, and the workspace on a grid of 1 mm and 1 deg."""
 
+import itertools
 import time
 
 import numpy as np
@@ -50,3 +51,13 @@ def test_assembly_modes_at_most_100_microseconds_a_configuration(benchmark):
     print(f"\n{len(theta):,} configurations: {each:.0f} us each for {modes.mean():.1f} poses on average")
     print(f"the eight working modes of a pose: {1e6 * inverse / len(pose):.2f} us")
     assert each <= 100
+
+
+def test_assembly_modes_of_one_configuration_at_most_a_millisecond(benchmark):
+    """Of many that close, one after the other: how many poses there are makes a difference."""
+    pose = np.random.default_rng(2).uniform([-80, -80, -0.6], [80, 80, 0.6], (1000, 3))
+    theta = itertools.cycle(rrr.inverse_kinematics(pose)[rrr.reachable(pose), 0])
+    benchmark.pedantic(rrr.forward_kinematics, setup=lambda: ((next(theta),), {}), rounds=500, warmup_rounds=5)
+    median = benchmark.stats.stats.median
+    print(f"\nassembly modes of one configuration: {median * 1e3:.2f} ms")
+    assert median <= 1e-3

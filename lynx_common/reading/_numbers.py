@@ -38,12 +38,13 @@ def batch(x: ArrayLike, symbols: Sequence[sp.Symbol]) -> np.ndarray:
     >>> batch([[1, 2], [3, 4]], sp.symbols("x y")).shape
     (2, 2)
     """
-    x = real(x, named(tuple(symbols)))
+    if type(x) is np.ndarray and x.dtype == float and x.ndim and x.shape[-1] == len(symbols):
+        return x  # as mostly; to find the names would take longer than all the rest
+    names = named(tuple(symbols))
+    x = real(x, names)
     if x.ndim == 0 or x.shape[-1] != len(symbols):
-        names = named(tuple(symbols))
-        raise InputError(
-            f"The last axis must hold the {len(symbols)} values {names}; the shape given is {x.shape}."
-        )
+        wanted = f"the {len(symbols)} values {names}"
+        raise InputError(f"The last axis must hold {wanted}; the shape given is {x.shape}.")
     return x
 
 

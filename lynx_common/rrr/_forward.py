@@ -12,7 +12,7 @@ from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
 from ._condition import ALPHAS, condition_at, platform_free, self_motion
 from ._geometry import RRR, Geometry, elbows, platform_joints
-from .formulas import THETA
+from .formulas import ELBOWS, THETA
 
 MODES = 6  # assembly modes, at most
 AT_ONCE = 4096  # configurations worked through at a time
@@ -23,7 +23,7 @@ CLOSED = 1e-12  # largest miss of a leg that counts as closed, as a share of S_A
 ROUNDED = 1e-15  # miss that no further step makes smaller
 ONE_POSE = 1e-7  # solutions nearer than this, in radians and shares of L, are one
 
-_newton = compiled(POSE, THETA, DESIGN)(formulas.newton)
+_newton = compiled(POSE, ELBOWS, DESIGN)(formulas.newton)
 
 
 def forward_kinematics(theta: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
@@ -94,7 +94,7 @@ def _poses(theta: np.ndarray, geometry: Geometry) -> np.ndarray:
     side, number = np.nonzero(np.isfinite(start[..., 0]))
     pose = np.full((len(theta), 2 * MODES, 3), np.nan)
     row, column = row[number], root[number] + side * MODES
-    pose[row, column] = _refined(start[side, number], theta[row], geometry)
+    pose[row, column] = _refined(start[side, number], M[row].reshape(-1, 6), geometry)
     return _distinct(pose, geometry)
 
 
@@ -128,17 +128,18 @@ def _starts(alpha: np.ndarray, M: np.ndarray, geometry: Geometry) -> np.ndarray:
     centred = np.zeros((len(alpha), 3))
     centred[:, 2] = alpha
     point = M - platform_joints(centred, geometry)  # (k, 3, 2)
-    side = np.roll(point, -1, axis=1) - point
-    order = (np.hypot(side[..., 0], side[..., 1]).argmax(axis=1)[:, None] + np.arange(3)) % 3
-    a, b, third = np.moveaxis(np.take_along_axis(point, order[..., None], axis=1), 1, 0)
-    centre = np.array(crossings(a, geometry.L, b, geometry.L))
-    miss = np.abs(np.hypot(*np.moveaxis(centre - third, -1, 0)) - geometry.L)
-    start = np.concatenate([centre, np.broadcast_to(alpha[:, None], (2, len(alpha), 1))], axis=-1)
-    return np.where(miss[..., None] <= NEAR * geometry.L, start, np.nan)
+    side = point[:, [1, 2, 0]] - point
+    longest = np.hypot(side[..., 0], side[..., 1]).argmax(axis=1)
+    a, b, third = (point[np.arange(len(alpha)), (longest + i) % 3] for i in range(3))
+    start = np.empty((2, len(alpha), 3))
+    start[..., :2], start[..., 2] = crossings(a, geometry.L, b, geometry.L), alpha
+    to_third = start[..., :2] - third
+    start[np.abs(np.hypot(to_third[..., 0], to_third[..., 1]) - geometry.L) > NEAR * geometry.L] = np.nan
+    return start
 
 
-def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndarray:
-    """``pose`` (n, 3) after Newton's method on the legs' lengths; NaN where they do not close.
+def _refined(pose: np.ndarray, M: np.ndarray, geometry: Geometry) -> np.ndarray:
+    """``pose`` (n, 3) for elbows (n, 6) after Newton's method on the legs' lengths; NaN where they do not close.
 
     The best of all steps is kept: where two poses meet, A is singular, and a step can lead away from a solution.
     """
@@ -147,7 +148,7 @@ def _refined(pose: np.ndarray, theta: np.ndarray, geometry: Geometry) -> np.ndar
     best, least, left = pose.copy(), np.full(len(pose), np.inf), np.arange(len(pose))
     for _ in range(NEWTON + 1):
         with np.errstate(invalid="ignore", divide="ignore"):
-            off, step = np.moveaxis(_newton(pose[left], theta[left], geometry), -2, 0)
+            off, step = np.moveaxis(_newton(pose[left], M[left], geometry), -2, 0)
         miss = np.abs(off).max(axis=-1, initial=0)
         better = left[miss < least[left]]
         best[better] = pose[better]

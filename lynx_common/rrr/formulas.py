@@ -89,20 +89,28 @@ def motor_angles() -> sp.Matrix:
     return sp.Matrix(2, 3, angles)
 
 
+def rows_of_A(elbows: sp.Matrix) -> sp.Matrix:
+    """The rows of A, (3, 3), for elbows M_i, (3, 2): the distal link, and the cross product of PP_i - C with it.
+
+    >>> rows_of_A(sp.zeros(3, 2))[:, :2] == platform_joints()
+    True
+    """
+    C = sp.Matrix([POSE[:2]] * 3)
+    distal = platform_joints() - elbows
+    turning = [cross(*pair) for pair in zip((platform_joints() - C).tolist(), distal.tolist(), strict=True)]
+    return distal.row_join(sp.Matrix(turning))
+
+
 def velocity_rows() -> sp.Matrix:
     """Per leg the row of A, then the diagonal entry of B: (3, 4), in POSE, THETA and DESIGN.
 
     >>> velocity_rows()[0, :2] == legs()[0, :] - driven_links()[0, :]
     True
     """
-    C = sp.Matrix([POSE[:2]])
-    rows = []
-    joints = (platform_joints(), base_joints(), driven_links())
-    for PP, PB, proximal in zip(*(matrix.tolist() for matrix in joints), strict=True):
-        PP, PB, proximal = (sp.Matrix([point]) for point in (PP, PB, proximal))
-        distal = PP - PB - proximal
-        rows.append([*distal, cross(PP - C, distal), cross(proximal, distal)])
-    return sp.Matrix(rows)
+    driven = driven_links()
+    A = rows_of_A(base_joints() + driven)
+    B = [cross(*pair) for pair in zip(driven.tolist(), A[:, :2].tolist(), strict=True)]
+    return A.row_join(sp.Matrix(B))
 
 
 def normalised() -> sp.Matrix:
@@ -140,12 +148,12 @@ def unit_rows(mode: Sequence[int]) -> sp.Matrix:
 
 def newton() -> sp.Matrix:
     """(|PP_i - M_i|^2 - L^2) / 2, about L times the miss of each distal link; and the step of Newton's method on
-    these, whose derivative is A: two rows, (2, 3), in POSE, THETA and DESIGN.
+    these, whose derivative is A: two rows, (2, 3), in POSE, ELBOWS and DESIGN.
 
     >>> newton().shape
     (2, 3)
     """
-    A = velocity_rows()[:, :3]
+    A = rows_of_A(sp.Matrix(3, 2, ELBOWS))
     off = sp.Matrix([(x**2 + y**2 - DESIGN[1] ** 2) / 2 for x, y, _ in A.tolist()])
     u, v, w = (A[i, :] for i in range(3))
     step = sp.Matrix.hstack(v.cross(w).T, w.cross(u).T, u.cross(v).T) * off / u.dot(v.cross(w))

@@ -94,7 +94,7 @@ def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:
             return None
         if len(x) != len(symbols) or not isfinite(sum(x)):
             return None
-        indices, most = turning
+        indices, most, _ = turning
         if indices and max([abs(x[i]) for i in indices]) > most:
             return None
         sample.append(x)
@@ -109,10 +109,10 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable,
         raise InputError(f"One array for each of {wanted} is expected; the number given is {len(arrays)}.")
     given = [np.array(x.values) if isinstance(x, reading.Record) else x for x in arrays]
     read = [reading.batch(x, symbols) for x, symbols in zip(given, vectors, strict=True)]
-    for x, symbols, (indices, most) in zip(read, vectors, angular, strict=True):
+    for x, (indices, most, names) in zip(read, angular, strict=True):
         if indices:
-            angles = x[..., indices] if len(indices) < len(symbols) else x
-            reading.warn_of_degrees(angles, reading.named(tuple(symbols[i] for i in indices)), most)
+            angles = x[..., indices] if len(indices) < x.shape[-1] else x
+            reading.warn_of_degrees(angles, names, most)
     batch = np.broadcast_shapes(*(x.shape[:-1] for x in read))
     size = prod(batch)
     flat = [x if x.ndim == 1 else _flat(x, batch, size) for x in read]
@@ -124,10 +124,11 @@ def _of_batch(arrays: tuple, vectors: tuple, angular: tuple, function: Callable,
     return values.reshape(batch + shape)
 
 
-def _angular(symbols: tuple[sp.Symbol, ...]) -> tuple[tuple[int, ...], float]:
-    """Which of the symbols are angles, and from where on an angle is hardly meant in radians."""
+def _angular(symbols: tuple[sp.Symbol, ...]) -> tuple[tuple[int, ...], float, str]:
+    """Which of the symbols are angles, from where on these are hardly meant in radians, and their names."""
     indices = tuple(i for i, symbol in enumerate(symbols) if symbol in ANGLES)
-    return indices, min((ANGLES[symbols[i]] for i in indices), default=0.0)
+    angles = tuple(symbols[i] for i in indices)
+    return indices, min((ANGLES[angle] for angle in angles), default=0.0), reading.named(angles)
 
 
 def compiled(*vectors: Sequence[sp.Symbol]) -> Callable[[Callable[[], sp.MatrixBase]], Callable[..., np.ndarray]]:

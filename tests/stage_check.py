@@ -18,6 +18,8 @@ OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
 IN_VIEW = """Math.max(...[...document.querySelectorAll('canvas, #controls, #player')]
     .map(part => part.getBoundingClientRect().bottom))"""
 TOO_HIGH = "frameElement.clientHeight - Math.ceil(document.getElementById('main').getBoundingClientRect().height)"
+CUT_OFF = """[...document.querySelectorAll("#words > *")].filter(e => e.scrollWidth > e.clientWidth + 1)
+    .map(e => e.textContent).join("; ")"""
 NAMELESS = """[...document.querySelectorAll('input, button')]
     .filter(e => !(e.getAttribute('aria-label') || e.labels?.length || e.textContent)).length"""
 INK = "getComputedStyle(document.body).color"
@@ -86,6 +88,8 @@ def check(page: Page, name: str, shown: str, width: int) -> list[str]:
         faults.append(f"the frame is {gap} pixels too high")
     if width >= 390 and (bottom := stage.evaluate(IN_VIEW)) > page.viewport_size["height"]:
         faults.append(f"picture and sliders need {bottom:.0f} pixels")
+    if cut := stage.evaluate(CUT_OFF):
+        faults.append(f"words are cut off at the right: {cut}")
     if nameless := stage.evaluate(NAMELESS):
         faults.append(f"{nameless} controls have no name")
     faults += touched(page, stage)

@@ -163,7 +163,7 @@ def _words() -> list[Words]:
         words.append(Words(text, [span, magnitude(S_A - L), S_A + L], 1, -slack))
     return [
         *words,
-        Words("det A = {} (at most 2.598)", [DET], 3, CLOSES),
+        Words("det A / (L³ r_platform) = {}, at most 2.598", [DET], 3, CLOSES),
         Words("{} mm from the leg that is nearest to stretched or folded", [CLOSES], 1, CLOSES),
         Words(
             "type 1: a leg is stretched or folded; the platform has lost a motion", when=least(CLOSES, 1 - CLOSES)

@@ -63,13 +63,12 @@ def _words() -> list[Words]:
     words = [Words(text, [DISTANCE, P[1] + P[2]], when=-REACHED)]
     for name, q, slack in zip(("up  ", "down"), (UP, DOWN), INSIDE, strict=True):
         angles = [DEGREES * angle for angle in q[1:4]]
-        for end, shown in (("", slack), (" beyond a limit", least(REACHED, -slack - sp.Float(1e-12)))):
+        for end, shown in (("", slack), (" ✕", least(REACHED, -slack - sp.Float(1e-12)))):
             words.append(Words(f"elbow {name}{{}}°{{}}°{{}}°" + end, angles, 0, shown, columns=True))
     return [
         *words,
-        Words(
-            "Blue: the elbow up is within its limits; yellow: the elbow down. Green: the wrist, for all pitches."
-        ),
+        Words("✕: beyond a joint limit. Blue: the elbow up is within them; yellow: the elbow down."),
+        Words("Green: the wrist, for all pitches."),
     ]
 
 

@@ -315,6 +315,7 @@ def test_the_four_branches_are_said_and_which_are_beyond_a_limit(azimuth, r, z, 
         assert ("✕" in said) != inside
 
 
+@pytest.mark.committed_lengths
 def test_what_is_out_of_reach_is_said_and_nothing_is_drawn():
     page = opened(the_branches)
     page.set(0, 0.5, 0.5, 0, 1)
@@ -324,6 +325,7 @@ def test_what_is_out_of_reach_is_said_and_nothing_is_drawn():
     assert [s for s in page.drawings[1].strokes if s.dashed]
 
 
+@pytest.mark.committed_lengths
 def test_the_target_can_be_led_in_both_views():
     page = opened(the_branches)
     page.lead([-0.2, 0.25], view=1)
@@ -337,6 +339,7 @@ def test_the_target_can_be_led_in_both_views():
     assert r > 0
 
 
+@pytest.mark.committed_lengths
 def test_up_becomes_down_without_a_jump_at_full_stretch_only():
     page = opened(the_branches)
     page.lead([0.3, 0.45], view=1)
@@ -372,6 +375,7 @@ def test_an_elbow_is_within_its_limits_where_the_package_says(geometry, rng):
     np.testing.assert_allclose(shapes[inside[:, 0]], joints[inside[:, 0], :4], atol=1e-6)
 
 
+@pytest.mark.committed_lengths
 def test_all_pitches_of_the_point_are_on_a_circle_about_it():
     page = opened(the_pitches)
     wide = max(s.width for s in page.drawings[0].strokes)
@@ -402,6 +406,7 @@ def test_a_point_with_one_elbow_is_found_and_the_farthest_with_the_gripper_down(
 the_top = explorers.change_of_branch
 
 
+@pytest.mark.committed_lengths
 def test_over_the_base_each_branch_is_the_packages_and_the_gripper_on_its_line(rng):
     page = opened(the_top)
     x = np.append(rng.uniform(-0.2, 0.2, SAMPLES - 2), [0.2, -0.2])
@@ -418,6 +423,7 @@ def test_over_the_base_each_branch_is_the_packages_and_the_gripper_on_its_line(r
             np.testing.assert_allclose(page.points(rod, inputs), joints[:, [start, start + 1]], atol=1e-6)
 
 
+@pytest.mark.committed_lengths
 def test_the_top_is_passed_without_a_jump_by_changing_the_branch_over_the_base():
     page = opened(the_top)
     page.slide("x", -0.2)

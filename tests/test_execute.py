@@ -37,6 +37,7 @@ def ran(monkeypatch, tmp_path) -> dict[str, dict]:
 
     monkeypatch.setattr(execute, "execute", stand_in)
     monkeypatch.setattr(execute, "ProcessPoolExecutor", ThreadPoolExecutor)
+    monkeypatch.setattr(execute, "ARM", [])
     monkeypatch.setattr(execute, "NOTEBOOKS", tmp_path)
     monkeypatch.setattr(execute, "FIGURES", tmp_path / "figures")
     for name, source in BOOKS.items():

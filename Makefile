@@ -6,6 +6,11 @@ VENV := .venv/bin
 unexport PYTHONHOME PYTHONPATH PYTHONOPTIMIZE PYTHONSTARTUP JUPYTER_PATH MPLCONFIGDIR MATPLOTLIBRC VIRTUAL_ENV
 export PYTHONUTF8 := 1
 
+# Another arm, as in ARM="L_1=0.25 L_3=0.12": its figures and its site have folders of their own.
+comma := ,
+export LYNX_ARM := $(strip $(subst $(comma), ,$(ARM)))
+OWN := $(if $(ARM),-$(subst $() $(),_,$(LYNX_ARM)))
+
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
@@ -13,20 +18,21 @@ lab: .venv/ready  ## open your own copy of the course, in work/ (DIR=...: in ano
 	@$(VENV)/python -m lynx_common.course.lab "$(DIR)"
 
 test: .venv/ready  ## test the package; re-run every notebook and compare every output
-	@$(VENV)/python -m pytest
+	@$(VENV)/python -m pytest $(if $(ARM),tests)
 
 lint: .venv/ready  ## ask ruff about code and notebooks and whether the code is formatted, and mypy about types
 	@$(VENV)/ruff check && $(VENV)/ruff format --check && $(VENV)/mypy
 
-figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY=A1: one notebook, ONLY=1.2: one figure)
+figures: .venv/ready  ## write figures/*.pdf, .svg and .png (ONLY="A1 2.4": some; ARM="L_3=0.12": another arm)
 	@$(VENV)/python -m lynx_common.course.execute figures $(ONLY)
 
 notebooks: .venv/ready  ## execute the notebooks in place, to store their outputs
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
-site: .venv-site/ready  ## build the course as a web page that needs no server, in build/site
-	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site notebooks build/site
-	@echo "Open build/site/index.html in a browser."
+site: .venv-site/ready $(if $(ARM),.venv/ready)  ## build the course as a web page that needs no server, in build/site
+	@$(if $(ARM),$(VENV)/python -m lynx_common.course.execute copies "build/notebooks$(OWN)")
+	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site "$(if $(ARM),build/)notebooks$(OWN)" "build/site$(OWN)"
+	@echo "Open build/site$(OWN)/index.html in a browser."
 
 bench: .venv-bench/ready  ## measure speed and memory, also against other packages
 	.venv-bench/bin/python -m pytest -s -o addopts= -o python_files='bench_*.py' \

@@ -115,3 +115,27 @@ def test_the_number_alone_means_all_panels(name, written, fig, shown, monkeypatc
     monkeypatch.setenv("LYNX_FIGURE", name)
     figures.publish(fig, "1.3b")
     assert bool([*tmp_path.iterdir()]) == written
+
+
+def test_a_table_that_is_a_figure_of_the_report_is_drawn_where_asked_for(shown, monkeypatch, tmp_path):
+    monkeypatch.setenv("LYNX_FIGURES", str(tmp_path))
+    monkeypatch.setenv("LYNX_FIGURE", "fig-2.1 2.2")
+    rows = [["leg", 1.0], ["another, longer one", [1.0, 2.0]]]
+    figures.table(["$\\theta_1$", "value"], rows, "**Table 2.2.** No figure.")
+    figures.table(["$\\theta_1$", "value"], rows, "**Fig. 2.3.** Not asked for.")
+    assert not list(tmp_path.iterdir())
+    figures.table(["$\\theta_1$", "value"], rows, "**Fig. 2.2.** A table.")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fig-2.2.pdf", "fig-2.2.png", "fig-2.2.svg"]
+    assert not plt.get_fignums()
+
+
+def test_a_drawn_table_holds_every_entry_within_it_and_none_upon_another():
+    fig = figures.drawn([["$\\theta_1$ [deg]", "b"], ["a much longer entry", "-1.0000"], ["", "last"]])
+    fig.canvas.draw()
+    boxes = [text.get_window_extent() for text in fig.texts if text.get_text()]
+    assert [text.get_text() for text in fig.texts][2:] == ["a much longer entry", "-1.0000", "", "last"]
+    for box in boxes:
+        assert 0 < box.x0 < box.x1 < fig.bbox.width
+        assert 0 < box.y0 < box.y1 < fig.bbox.height
+        assert sum(box.overlaps(other) for other in boxes) == 1
+    plt.close(fig)

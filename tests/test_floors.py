@@ -176,7 +176,7 @@ def third_parties(source: str) -> set[str]:
 
 
 # Lines of Python, JavaScript and HTML, with docstrings and examples: what somebody has to read.
-LARGEST = {"robotics": 5300, "course": 6200}
+LARGEST = {"robotics": 5500, "course": 6800}
 
 
 def test_the_package_stays_small():
@@ -190,6 +190,7 @@ def test_the_package_stays_small():
 
 # Public, though no notebook and no other room calls them: why.
 UNUSED = {
+    "arm.urdf": "for other programs",
     "certify.Certificate": "what along and over return",
     "motion.Followed": "what follow returns",
     "planner.Plan": "what plan returns",

@@ -16,3 +16,4 @@ from ._forward import forward_kinematics, jacobian, joint_positions, link_frames
 from ._geometry import AT_LIMIT, JOINT_LIMITS, LYNX, SERVO_LIMITS, Geometry, dh_table, into_limits, within_limits
 from ._inverse import BRANCHES, inverse_kinematics, joint_angles, out_of_reach
 from ._target import solve, task_of_pose
+from ._urdf import urdf

@@ -1,5 +1,6 @@
 """The arm itself: its lengths, its joint limits and its DH table."""
 
+import os
 from dataclasses import astuple, dataclass
 
 import numpy as np
@@ -7,6 +8,7 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from .. import dh, reading
+from ..errors import GeometryError
 from ..symbolic import P, Q
 
 
@@ -31,7 +33,23 @@ class Geometry(reading.Record):
         object.__setattr__(self, "values", astuple(self))
 
 
-LYNX = Geometry()
+def geometry_of(words: str) -> Geometry:
+    """The arm with some lengths given in words, metres; GeometryError for a name or a length that is none.
+
+    >>> geometry_of("L_1=0.25 L_3=0.12")
+    Geometry(d_1=0.1, L_1=0.25, L_2=0.2, L_3=0.12)
+    """
+    lengths = {}
+    for name, _, text in (word.partition("=") for word in words.replace(",", " ").split()):
+        try:
+            lengths[name] = float(text)
+        except ValueError:
+            raise GeometryError(name, text or "not given", "lengths are written as in L_1=0.25 L_3=0.12") from None
+    return Geometry(**lengths)
+
+
+# The arm of the course, or the one of `make figures ARM="..."`, which hands it over here.
+LYNX = geometry_of(os.environ.get("LYNX_ARM", ""))
 
 # Lower and upper limit of each joint, (5, 2), radians. An assumption: the report gives only the ranges that
 # it sweeps in section 1.2. Within these lie all of its own tasks; the wrist's are +-150 deg about straight.

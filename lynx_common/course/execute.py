@@ -1,9 +1,10 @@
 """Run the course's notebooks, all at once, so that two runs give the same bytes.
 
 `python -m lynx_common.course.execute notebooks` executes every notebook in place; this is how the outputs in
-the repository are made. `python -m lynx_common.course.execute figures [NAME]` executes the notebooks that
-publish figures (or the one called NAME, or the one that publishes figure NAME) without touching them, and
-leaves the figures' files in figures/.
+the repository are made. `... figures [NAME ...]` executes the notebooks that publish figures (or those called by a
+NAME, or that publish a figure of that name) without touching them, and leaves the figures' files in figures/.
+`... copies FOLDER` leaves executed copies of all notebooks in a folder. LYNX_ARM="L_1=0.25 L_3=0.12" in the
+environment sets another arm; its figures have a folder of their own, and the notebooks are not touched.
 """
 
 import argparse
@@ -11,7 +12,7 @@ import os
 import re
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import NamedTuple
@@ -20,12 +21,18 @@ import nbformat
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
 import lynx_common
-from lynx_common.course.figures import is_called
+from lynx_common.course.figures import FIGURE, is_called
 from lynx_common.course.kernel import code_cells, execute
+from lynx_common.errors import LynxError
 
 ROOT = Path(lynx_common.__file__).parents[1]
 NOTEBOOKS = ROOT / "notebooks"
-FIGURES = ROOT / "figures"
+ARM = os.environ.get("LYNX_ARM", "").replace(",", " ").split()
+FIGURES = ROOT / "figures" / "_".join(ARM)
+ANOTHER = (
+    "> This page was computed for another arm: {} (in metres). Numbers in its words, and what its exercises and "
+    "challenges ask for, are those of the course's own arm."
+)
 ANSI_COLOUR = re.compile(r"\x1b\[[\d;]*m")
 
 
@@ -48,10 +55,10 @@ def attempt(path: Path, environment: dict[str, str]) -> Run:
     return Run(path, time.perf_counter() - start, text, failure)
 
 
-def run_all(paths: Iterable[Path], **environment: str) -> Iterator[Run]:
-    """Run the notebooks in parallel, one process each, and yield them as they come to their end."""
+def run_all(environments: dict[Path, dict[str, str]]) -> Iterator[Run]:
+    """Run notebooks in parallel, each with what it is told, and yield them as they come to their end."""
     with ProcessPoolExecutor(max(2, os.cpu_count() or 2)) as pool:
-        runs = [pool.submit(attempt, path, environment) for path in paths]
+        runs = [pool.submit(attempt, path, environment) for path, environment in environments.items()]
         yield from (run.result() for run in as_completed(runs))
 
 
@@ -63,60 +70,85 @@ def store(run: Run) -> str:
     return "rewritten"
 
 
-def report(run: Run, verdict: str) -> None:
-    """One line for the notebook, and below it what went wrong, if anything did."""
-    print(f"{run.path.stem:<30} {run.seconds:5.1f} s  {'FAILED' if run.failure else verdict}", flush=True)
-    if run.failure:
-        print(f"\nIn {run.path.name}: {run.failure}\n", file=sys.stderr, flush=True)
+def report(environments: dict[Path, dict[str, str]], done: Callable[[Run], str]) -> bool:
+    """Run the notebooks; a line for each with what is left, and below it what went wrong. Whether nothing did."""
+    left = [short_name(path) for path in environments]
+    print(f"Running {', '.join(left)}", flush=True)
+    fine = True
+    for run in run_all(environments):
+        left.remove(short_name(run.path))
+        verdict = "FAILED" if run.failure else done(run)
+        waiting = f"; left: {', '.join(left)}" if left else ""
+        print(f"{run.path.stem:<30} {run.seconds:5.1f} s  {verdict}{waiting}", flush=True)
+        if run.failure:
+            print(f"\nIn {run.path.name}: {run.failure}\n", file=sys.stderr, flush=True)
+            fine = False
+    return fine
 
 
 def update_notebooks() -> int:
     """Execute every notebook in place; the exit code says whether all came to their end."""
-    runs = []
-    for run in run_all(sorted(NOTEBOOKS.glob("*.ipynb"))):
-        report(run, "" if run.failure else store(run))
-        runs.append(run)
-    return int(any(run.failure for run in runs))
+    if ARM:
+        print(
+            "The notebooks are stored for the arm as committed; make figures and make site take ARM.",
+            file=sys.stderr,
+        )
+        return 2
+    return int(not report({path: {} for path in sorted(NOTEBOOKS.glob("*.ipynb"))}, store))
+
+
+def make_copies(folder: Path) -> int:
+    """Execute copies of all notebooks in ``folder``; those of another arm say so below their title."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in NOTEBOOKS.glob("*.ipynb"):
+        notebook = nbformat.read(path, as_version=4)
+        if ARM:
+            title, _, rest = notebook.cells[0].source.partition("\n")
+            notebook.cells[0].source = f"{title}\n\n{ANOTHER.format(', '.join(ARM))}\n{rest}"
+        nbformat.write(notebook, folder / path.name)
+    return int(not report({path: {} for path in sorted(folder.glob("*.ipynb"))}, store))
 
 
 def published(path: Path) -> list[str]:
-    """Numbers of the figures that the notebook's cells publish."""
+    """Numbers of the figures that the notebook's cells publish, drawn tables among them."""
     source = "\n".join(cell.source for cell in code_cells(nbformat.read(path, as_version=4)))
-    return re.findall(r"""figures\.publish\(\s*\w+,\s*["'](\d+\.\d+\w*|[a-z]+)["']""", source)
+    shown = re.findall(r"""figures\.publish\(\s*\w+,\s*["'](\d+\.\d+\w*|[a-z]+)["']""", source)
+    return shown + re.findall(FIGURE, source)
 
 
-def needed_for(name: str, catalogue: dict[Path, list[str]]) -> tuple[list[Path], dict[str, str]]:
-    """The notebooks to run for a notebook's or a figure's name, and what to tell them; none if unknown."""
-    if not name:
-        return list(catalogue), {}
-    if named := [path for path in catalogue if name in (path.stem, short_name(path))]:
-        return named, {}
-    found = [path for path, numbers in catalogue.items() if any(is_called(number, name) for number in numbers)]
-    return found, {"LYNX_FIGURE": name}
+def needed_for(names: list[str], catalogue: dict[Path, list[str]]) -> dict[Path, dict[str, str]]:
+    """The notebooks to run for names of notebooks and figures, and what to tell them."""
+    needed: dict[Path, dict[str, str]] = {}
+    for path, numbers in catalogue.items():
+        wanted = [name for name in names if any(is_called(number, name) for number in numbers)]
+        if not names or {path.stem, short_name(path)} & set(names):
+            needed[path] = {}
+        elif wanted:
+            needed[path] = {"LYNX_FIGURE": " ".join(wanted)}
+    return needed
 
 
 def short_name(path: Path) -> str:
     return path.stem.split("_")[0]
 
 
-def make_figures(name: str) -> int:
+def make_figures(names: list[str]) -> int:
     """Run what publishes the figures asked for; say how many were written, and where."""
     catalogue = {path: numbers for path in sorted(NOTEBOOKS.glob("*.ipynb")) if (numbers := published(path))}
-    paths, environment = needed_for(name, catalogue)
-    if name and not paths:
-        known = {number for numbers in catalogue.values() for number in numbers}
-        valid = [*map(short_name, catalogue), *sorted(known, key=natural)]
-        print(f"No notebook or figure is called {name!r}. Valid: {', '.join(valid)}.", file=sys.stderr)
-        return 2
-    FIGURES.mkdir(exist_ok=True)
+    for name in names:
+        if not needed_for([name], catalogue):
+            known = {number for numbers in catalogue.values() for number in numbers}
+            valid = ", ".join([*map(short_name, catalogue), *sorted(known, key=natural)])
+            print(f"No notebook or figure is called {name!r}. Valid: {valid}.", file=sys.stderr)
+            return 2
+    FIGURES.mkdir(parents=True, exist_ok=True)
     before = times_written()
-    failed = False
-    for run in run_all(paths, LYNX_FIGURES=str(FIGURES), **environment):
-        report(run, "done")
-        failed |= bool(run.failure)
+    needed = needed_for(names, catalogue)
+    folder = {"LYNX_FIGURES": str(FIGURES)}
+    fine = report({path: folder | more for path, more in needed.items()}, lambda run: "done")
     written = {path.stem for path, when in times_written().items() if before.get(path) != when}
     print(f"{len(written)} figure{'s' * (len(written) != 1)} written to {FIGURES}")
-    return int(failed or not written)
+    return int(not (fine and written))
 
 
 def natural(number: str) -> tuple[list[int], str]:
@@ -131,10 +163,21 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m lynx_common.course.execute", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("notebooks", help="execute every notebook in place")
+    copies = commands.add_parser("copies", help="execute copies of all notebooks")
+    copies.add_argument("folder", type=Path)
     figures = commands.add_parser("figures", help="write the published figures to figures/")
-    figures.add_argument("name", nargs="?", default="", help="notebook (A1) or figure (1.2); default: all")
+    figures.add_argument("names", nargs="*", help="notebooks (A1) and figures (1.2); default: all")
     arguments = parser.parse_args()
-    return update_notebooks() if arguments.command == "notebooks" else make_figures(arguments.name)
+    try:
+        from lynx_common import arm  # noqa: F401  reads the lengths of LYNX_ARM
+    except LynxError as fault:
+        print(fault, file=sys.stderr)
+        return 2
+    if arguments.command == "notebooks":
+        return update_notebooks()
+    if arguments.command == "copies":
+        return make_copies(arguments.folder.resolve())
+    return make_figures(" ".join(arguments.names).replace(",", " ").split())
 
 
 if __name__ == "__main__":

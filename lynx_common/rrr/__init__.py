@@ -13,6 +13,7 @@ from . import formulas
 from ._condition import self_motion
 from ._forward import assemble, forward_kinematics
 from ._geometry import RRR, Geometry, base_joints, elbows, platform_joints
-from ._inverse import WORKING_MODES, inverse_kinematics, leg_lengths, solve
+from ._inverse import inverse_kinematics, leg_lengths, solve
 from ._velocity import jacobians, singularity_type
 from ._workspace import constant_orientation_workspace, reachable
+from .formulas import WORKING_MODES

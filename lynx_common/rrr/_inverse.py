@@ -1,7 +1,5 @@
 """Inverse kinematics: all motor angles that bring the platform to a given pose."""
 
-from itertools import product
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -10,17 +8,11 @@ from ..errors import AssemblyError
 from ..symbolic import DESIGN, POSE, compiled
 from . import formulas
 from ._geometry import RRR, Geometry
+from .formulas import WORKING_MODES
 
-# Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
-WORKING_MODES = tuple(product((1, -1), repeat=3))
-
-# Room for rounding where a leg is stretched or folded, as a share of its length. The loop then stays open by less.
-# It is smaller than the arm's, whose targets are printed with few digits; here a leg bends by the root of it.
-REACH_TOLERANCE = 1e-12
-
-
-squared_lengths = compiled(POSE, DESIGN)(formulas.squared_lengths)
-_motor_angles = compiled(POSE, DESIGN)(formulas.motor_angles)
+closing = compiled(POSE, DESIGN)(formulas.closing)
+_squared_lengths = compiled(POSE, DESIGN)(formulas.squared_lengths)
+_working_modes = compiled(POSE, DESIGN)(formulas.working_modes)
 
 
 def inverse_kinematics(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
@@ -45,10 +37,7 @@ def inverse_kinematics(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     >>> np.rad2deg(inverse_kinematics([0, 0, 0]))[0].round(3)  # in the middle, all legs bent to the left
     array([-136.277,  -16.277,  103.723])
     """
-    both = _motor_angles(pose, geometry)
-    both = np.where(closes(squared_lengths(pose, geometry), geometry)[..., None, :], both, np.nan)
-    side = (1 - np.array(WORKING_MODES)) // 2
-    return both[..., side, np.arange(3)]
+    return _working_modes(pose, geometry)
 
 
 def leg_lengths(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
@@ -57,7 +46,7 @@ def leg_lengths(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     >>> leg_lengths([0, 0, 0])
     array([160., 160., 160.])
     """
-    return np.sqrt(squared_lengths(pose, geometry))
+    return np.sqrt(_squared_lengths(pose, geometry))
 
 
 def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.ndarray:
@@ -78,10 +67,3 @@ def solve(pose: ArrayLike, mode: int = 0, *, geometry: Geometry = RRR) -> np.nda
         S_A, L, *_ = geometry
         raise AssemblyError((failing + 1).tolist(), length[failing].tolist(), abs(S_A - L), S_A + L)
     return theta
-
-
-def closes(squared: np.ndarray, geometry: Geometry) -> np.ndarray:
-    """Whether a leg can span lengths given by their squares, mm^2: (...) to (...) of bool; NaN it cannot."""
-    S_A, L, *_ = geometry
-    slack = REACH_TOLERANCE * (S_A + L)
-    return (squared >= max(abs(S_A - L) - slack, 0) ** 2) & (squared <= (S_A + L + slack) ** 2)

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 
 from .. import arcs, reading
 from ._geometry import RRR, Geometry, base_joints, platform_joints
-from ._inverse import closes, squared_lengths
+from ._inverse import closing
 
 
 def reachable(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
@@ -14,7 +14,7 @@ def reachable(pose: ArrayLike, geometry: Geometry = RRR) -> np.ndarray:
     >>> reachable([[0, 0, 0], [300, 0, 0]])
     array([ True, False])
     """
-    legs = closes(squared_lengths(pose, geometry), geometry)
+    legs = np.isfinite(closing(pose, geometry))
     return legs[..., 0] & legs[..., 1] & legs[..., 2]
 
 

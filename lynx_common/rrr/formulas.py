@@ -11,6 +11,13 @@ import sympy as sp
 from ..symbolic import DESIGN, POSE, Q
 
 THETA = Q[:3]
+
+# Sign of (M_i - PB_i) x (PP_i - M_i), leg by leg: +1 where the leg bends to the left on its way to the platform.
+WORKING_MODES = tuple(product((1, -1), repeat=3))
+
+# Room for rounding where a leg is stretched or folded, as a share of its length. The loop then stays open by less.
+# It is smaller than the arm's, whose targets are printed with few digits; here a leg bends by the root of it.
+REACH_TOLERANCE = 1e-12
 ELBOWS = sp.symbols("M_1x M_1y M_2x M_2y M_3x M_3y", real=True)
 
 
@@ -87,6 +94,30 @@ def motor_angles() -> sp.Matrix:
     """
     angles = [motor_angle(sigma, x, y) for sigma, (x, y) in product((1, -1), legs().tolist())]
     return sp.Matrix(2, 3, angles)
+
+
+def closing() -> sp.Matrix:
+    """1 for a leg that spans from base to platform, NaN for one that cannot, (3, 1), in POSE and DESIGN.
+
+    >>> closing().shape
+    (3, 1)
+    """
+    S_A, L, *_ = DESIGN
+    slack = REACH_TOLERANCE * (S_A + L)
+    least, most = sp.Max(sp.Abs(S_A - L) - slack, 0) ** 2, (S_A + L + slack) ** 2
+    spans = [sp.And(squared >= least, squared <= most) for squared in squared_lengths()]
+    return sp.Matrix([sp.Piecewise((1, span), (sp.nan, True), evaluate=False) for span in spans])
+
+
+def working_modes() -> sp.Matrix:
+    """Motor angles, the rows of WORKING_MODES, (8, 3), in POSE and DESIGN; NaN where a leg cannot close.
+
+    >>> working_modes().shape
+    (8, 3)
+    """
+    angles, closed = motor_angles(), closing()
+    left, right = ([closed[leg] * angles[side, leg] for leg in range(3)] for side in (0, 1))
+    return sp.Matrix(8, 3, lambda i, leg: (left if WORKING_MODES[i][leg] == 1 else right)[leg])
 
 
 def rows_of_A(elbows: sp.Matrix) -> sp.Matrix:

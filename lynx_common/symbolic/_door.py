@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import cache, partial, wraps
 from math import isfinite, prod
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -60,24 +61,29 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     >>> numeric(x**2, (x,))([[1.0], [3.0]])
     array([1., 9.])
     """
-    vectors, matrix = _vectors(vectors), _real_valued(reading.formulas(expr))
-    one = np.isscalar(expr) or (isinstance(expr, sp.Expr) and not expr.is_Matrix)
-    shape = () if one else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
-    entries = tuple(matrix)
-    if missing := matrix.free_symbols.difference(*vectors):
-        names = ", ".join(sorted(map(str, missing)))
-        raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
-    angular = tuple(map(_angular, vectors))
-
-    compiled_with = cache(partial(_compiled, entries, vectors))  # hashing the entries takes longer than the work
+    read_vectors, matrix, shape = read(expr, vectors)
+    entries, angular = tuple(matrix), tuple(map(_angular, read_vectors))
+    compiled_with = cache(
+        partial(_compiled, entries, read_vectors)
+    )  # hashing the entries takes longer than the work
 
     def f(*arrays: ArrayLike) -> np.ndarray:
-        if (sample := _sample(arrays, vectors, angular)) is not None:
+        if (sample := _sample(arrays, read_vectors, angular)) is not None:
             with suppress(ArithmeticError, ValueError, TypeError, NameError, AttributeError):  # NumPy will know
                 return np.array(compiled_with("math")(*sample), float).reshape(shape)
-        return _of_batch(arrays, vectors, angular, compiled_with("numpy"), (len(entries), shape))
+        return _of_batch(arrays, read_vectors, angular, compiled_with("numpy"), (len(entries), shape))
 
     return f
+
+
+def read(expr: Any, vectors: Sequence[Sequence[sp.Symbol]]) -> tuple[tuple, sp.MatrixBase, tuple[int, ...]]:
+    """The vectors as tuples, ``expr`` as a real matrix, and its shape: (), (n,) or (m, n); or InputError."""
+    read_vectors, matrix = _vectors(vectors), _real_valued(reading.formulas(expr))
+    if missing := matrix.free_symbols.difference(*read_vectors):
+        names = ", ".join(sorted(map(str, missing)))
+        raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
+    one = np.isscalar(expr) or (isinstance(expr, sp.Expr) and not expr.is_Matrix)
+    return read_vectors, matrix, () if one else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
 
 
 def _sample(arrays: tuple, vectors: tuple, angular: tuple) -> list | None:

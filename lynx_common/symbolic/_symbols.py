@@ -29,3 +29,6 @@ DESIGN = (
 
 # Of each angle how much (radians) is hardly meant in radians. Joint angles of a motion run on from turn to turn.
 ANGLES = dict.fromkeys([*Q, TASK[0], TASK[3], TASK[4]], 4 * pi) | {POSE[2]: 2 * pi}
+
+# What the vectors of symbols are called as arguments of a function.
+ARGUMENTS = {Q: "q", Q[:3]: "theta", P: "lengths", TASK: "task", XYZ: "position", POSE: "pose", DESIGN: "design"}

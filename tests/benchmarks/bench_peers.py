@@ -4,6 +4,7 @@ A peer that takes one configuration at a time gets fewer in a loop, and its time
 """
 
 import numpy as np
+import pinocchio
 import pytest
 from peers import PEERS, TOLERANCE, Peer
 from timing import OURS, Tables, side_by_side
@@ -26,6 +27,17 @@ POSITION = arm.forward_kinematics(Q[:HUNDRED_THOUSAND])[:, :3, 3].copy()
 FEW = {"Robotics Toolbox": 2000, "Pinocchio": 2000, "ikpy": 200, "Modern Robotics": 20}
 
 each_peer = pytest.mark.parametrize("peer", PEERS, ids=lambda peer: peer.name)
+
+
+@pytest.mark.parametrize("geometry", [arm.LYNX, arm.Geometry(0.15, 0.25, 0.18, 0.07)], ids=str)
+def test_pinocchio_reads_the_urdf_and_has_the_same_poses(geometry):
+    model = pinocchio.buildModelFromXML(arm.urdf(geometry))
+    data, gripper = model.createData(), model.getFrameId("gripper")
+    assert list(model.names)[1:] == [f"theta_{i}" for i in range(1, 6)]
+    assert np.array_equal(np.column_stack([model.lowerPositionLimit, model.upperPositionLimit]), arm.JOINT_LIMITS)
+    for q in Q[:1000]:
+        pinocchio.framesForwardKinematics(model, data, q)
+        assert np.abs(data.oMf[gripper].homogeneous - arm.forward_kinematics(q, geometry)).max() <= 1e-9
 
 
 @each_peer

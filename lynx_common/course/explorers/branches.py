@@ -26,7 +26,7 @@ from ..stage import (
     magnitude,
     stage,
 )
-from .solids import about, arm_in_space, chosen, circle, frames_of, room, values_of, wrapped
+from .solids import about, arm_in_space, chosen, circle, frames_of, length_sliders, room, wrapped
 
 ELBOW, DISTANCE, REACHED = sp.symbols("elbow distance reached", real=True)
 UP, DOWN = sp.symbols("up_1:6", real=True), sp.symbols("down_1:6", real=True)
@@ -50,8 +50,8 @@ def branches_of_a_target(
     let |= {symbol: chosen(ELBOW, (1, up), (-1, down)) for symbol, up, down in zip(own, UP, DOWN, strict=True)}
     let |= {symbol: chosen(ELBOW, (-1, up), (1, down)) for symbol, up, down in zip(other, UP, DOWN, strict=True)}
     views = _views(own, other, geometry)
-    title = "The arm with both elbows, in space and in its own plane; sliders for its target"
-    fixed = values_of((*P, TASK[4]), (*geometry, 0))
+    title = "The arm with both elbows, in space and in its own plane; sliders for its target and its lengths"
+    fixed = {P[0]: geometry.d_1, TASK[4]: 0.0}
     return stage(views, _controls(geometry), _words(), fixed, title, challenges=_challenges(own), let=let)
 
 
@@ -113,6 +113,7 @@ def _controls(geometry: arm.Geometry) -> list[Slider | Choice]:
         Slider(z, "z", round(low, 2), round(high, 2), round(geometry.d_1 + 0.2 * far, 2), 0.01, "m"),
         Slider(pitch, "pitch", -180, 180, -30),
         Choice(ELBOW, "elbow", {"up": 1, "down": -1}, 1),
+        *length_sliders(geometry),
     ]
 
 

@@ -10,7 +10,7 @@ from ... import arm
 from ...arm import formulas
 from ...symbolic import TASK, WRIST, XYZ, P, Q
 from ..stage import Body, Challenge, Choice, Control, Handle, Item, Slider, Space, Words, largest, least, stage
-from .solids import NAMES, arm_in_space, axes_of, values_of
+from .solids import NAMES, arm_in_space, axes_of, length_sliders
 
 HOME_DEG = (60, 45, -30, 60, 30)  # report Table 1.3
 SHOWN = sp.Symbol("frames", real=True)
@@ -22,8 +22,8 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     ``frames`` : T_0_1 to T_0_5, in the symbols ``arm.Q`` and ``arm.P``, as derived in notebook A1.
     """
     frames, size = list(frames or formulas.frames()[1:]), sum(geometry)
-    tip, far = frames[4][:3, 3], size - geometry.d_1
-    star = sp.Matrix(np.round([0.5 * far, -0.25 * far, geometry.d_1 - 0.1 * far], 3).tolist())
+    tip, far = frames[4][:3, 3], sum(P[1:])
+    star = sp.Matrix([far / 2, -far / 4, P[0] - far / 10])
     items: list[Item] = [*arm_in_space(frames, size), Body(star.T, 0.018 * size, "target")]
     for T in (sp.eye(4), *frames[:4]):
         items += axes_of(T, 0.11 * size, SHOWN)
@@ -34,12 +34,13 @@ def joints_and_frames(frames: Sequence[sp.Matrix] | None = None, geometry: arm.G
     words.append(Words("gripper at {}, {}, {} m", list(tip)))
     challenges = _challenges(tip, star, size)
     view = Space((0, 0, round(0.36 * size, 4)), 0.78 * size, round(size / 6, 4), items, [grip(tip)])
-    title = "The arm in space, its gripper and the frames of its links; sliders for its five joint angles"
+    title = "The arm in space, its gripper and the frames of its links; sliders for its joint angles and lengths"
     controls: list[Control] = [
         *joint_sliders(HOME_DEG),
         Choice(SHOWN, "frames", {"gripper only": -1, "all": 1}, -1),
+        *length_sliders(geometry),
     ]
-    return stage([view], controls, words, values_of(P, geometry), title, challenges=challenges)
+    return stage([view], controls, words, {P[0]: geometry.d_1}, title, challenges=challenges)
 
 
 def _challenges(tip: sp.Matrix, star: sp.Matrix, size: float) -> list[Challenge]:

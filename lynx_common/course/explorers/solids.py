@@ -5,11 +5,13 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import sympy as sp
 
+from ... import arm
 from ...arm import formulas
-from ...symbolic import Q
-from ..stage import ALWAYS, Body, Line, largest, least
+from ...symbolic import P, Q
+from ..stage import ALWAYS, Body, Line, Slider, largest, least
 
 NAMES = [f"θ{i}" for i in "₁₂₃₄₅"]
+LENGTHS = [f"L{i}" for i in "₁₂₃"]
 DEGREES = 180 / sp.pi
 ROUNDING = 1e-8  # of the reach: full stretch counts as reached; a page keeps nine digits of 1 + ROUNDING
 
@@ -17,6 +19,12 @@ ROUNDING = 1e-8  # of the reach: full stretch counts as reached; a page keeps ni
 def values_of(symbols: Sequence[sp.Symbol], geometry: Iterable[float]) -> dict[sp.Symbol, float]:
     """What is fixed on a stage: the lengths of its robot."""
     return dict(zip(symbols, geometry, strict=True))
+
+
+def length_sliders(geometry: arm.Geometry) -> list[Slider]:
+    """For the links and the gripper: each may be as short as half; longer arms would not fit the picture."""
+    lengths = zip(P[1:], LENGTHS, tuple(geometry)[1:], strict=True)
+    return [Slider(at, name, round(x - int(50 * x) / 100, 6), x, x, 0.01, "m") for at, name, x in lengths]
 
 
 def arm_in_space(

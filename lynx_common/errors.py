@@ -212,3 +212,11 @@ class LedgerError(LynxError):
             f"{key}: compared with what is printed, {found}; but the ledger says {recorded!r}. "
             "If you changed something above, undo it and run the notebook again from the top."
         )
+
+
+class WrongAnswerError(LynxError, AssertionError):
+    """An answer that is not the right one for exercise ``name``; ``said`` is what the reader is told about it."""
+
+    def __init__(self, name: str, said: str):
+        self.name, self.said = name, said
+        super().__init__(f"{name}: {said}")

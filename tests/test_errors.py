@@ -49,6 +49,7 @@ CALLS: dict[type[LynxError], Callable] = {
     errors.SelfMotionError: lambda: rrr.assemble(self_motion(), [0, 0, 0]),
     errors.ScrewError: lambda: screws.revolute([0, 0, 2], [0, 0, 0]),
     errors.NoPathError: lambda: planner.plan(lambda q: np.abs(q[:, 0]) > 0.1, *PROBLEM, iterations=20),
+    errors.WrongAnswerError: lambda: exercises.assert_right("A1.1", [0, 0, 0, 0, 0]),
     errors.NotFreeError: lambda: got(lambda: planner.plan(lambda q: q[:, 0] < 0, *PROBLEM)).cause,
 }
 

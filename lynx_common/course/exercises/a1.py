@@ -4,9 +4,10 @@ import numpy as np
 import sympy as sp
 
 from ... import arm, dh
-from ...symbolic import P, Q
+from ...symbolic import Q
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 QUARTER = np.pi / 2
 
@@ -22,17 +23,63 @@ POSE_PARTS = {"the position is": np.s_[:3, 3], "its axes are": np.s_[:3, :3], "i
 
 # A1.3: the SCARA arm.
 theta_1, theta_2 = Q[:2]
-d_1, L_1, L_2, _ = P
 d_3 = sp.Symbol("d_3", real=True)
-SCARA_SYMBOLS = (theta_1, theta_2, d_1, d_3, L_1, L_2)
-SAMPLES = np.random.default_rng(0).uniform(0.1, 1.0, (len(SCARA_SYMBOLS), 20))
-HEIGHT = d_1 - d_3
+RANDOM = np.random.default_rng(0).uniform(0.1, 1.0, (3, 20))
+SAMPLES = dict(zip(("theta_1", "theta_2", "d_3"), RANDOM, strict=True))
 
 
-def scara(first=theta_1, second=theta_1 + theta_2, height=HEIGHT) -> list[sp.Expr]:
-    """The gripper, for links that point at these angles from x."""
-    x = L_1 * sp.cos(first) + L_2 * sp.cos(second)
-    return [x, L_1 * sp.sin(first) + L_2 * sp.sin(second), height]
+def scara(d_1: float, L_1: float, L_2: float) -> Exercise:
+    """A1.3, for a column and two links of these lengths, in metres."""
+    down = d_1 - d_3
+
+    def gripper(first=theta_1, second=theta_1 + theta_2, height=down) -> list[sp.Expr]:
+        """For links that point at these angles from x."""
+        x = L_1 * sp.cos(first) + L_2 * sp.cos(second)
+        return [x, L_1 * sp.sin(first) + L_2 * sp.sin(second), height]
+
+    x, y, _ = gripper()
+    return Exercise(
+        form=Form((3,), SAMPLES),
+        right=gripper(),
+        parts={"x is": np.s_[:, 0], "y is": np.s_[:, 1], "z is": np.s_[:, 2]},
+        misconceptions=(
+            (
+                gripper(second=theta_2),
+                "theta_2 is counted from the first link, so the second link points at theta_1 + theta_2.",
+            ),
+            (gripper(height=d_1 + d_3), "the slide moves the gripper down, so its d_3 lowers the gripper."),
+            (
+                [L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), down],
+                "this is a distal table multiplied in the proximal way: dh.modified takes a before theta, so each "
+                "row needs the a of the link before.",
+            ),
+            (
+                [y, x, down],
+                "x and y are swapped: at theta_1 = theta_2 = 0 the arm lies along x.",
+            ),
+            *(
+                (
+                    gripper(height=down + lift),
+                    "both joint axes are vertical, so no joint angle changes the height.",
+                )
+                for lift in (L_2 * sp.sin(theta_2), y)
+            ),
+            (
+                gripper(theta_1 * sp.pi / 180, (theta_1 + theta_2) * sp.pi / 180),
+                "this takes the angles for degrees; sin and cos take radians, and so does this course.",
+            ),
+        ),
+        hints=(
+            "Seen from above it is a planar arm with two links. At which angle from x does the second link point?",
+            "A standard DH table of it has three rows. Which alpha in the second turns z down the slide?",
+        ),
+        explanation=f"The first row lifts by $d_1 = {d_1}$ m and reaches out by $L_1 = {L_1}$ m; the second "
+        f"reaches out by $L_2 = {L_2}$ m and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ "
+        "lowers the gripper.",
+        code=f"first, second = dh.Row({L_1}, 0, {d_1}, theta_1), dh.Row({L_2}, sp.pi, 0, theta_2)\n"
+        "table = [first, second, dh.Row(0, 0, d_3, 0)]\n"
+        "answer_3 = tidy(dh.chain(table)[-1][:3, 3])",
+    )
 
 
 EXERCISES = {
@@ -96,44 +143,7 @@ EXERCISES = {
         "multiplied from the right.",
         code="forearm = numeric(T_0_3, arm.Q, arm.P)(q, arm.LYNX)\nanswer_2 = forearm @ dh.trans(-0.1, 0.03, 0)",
     ),
-    "A1.3": Exercise(
-        form=Form((3,), dict(zip(map(str, SCARA_SYMBOLS), SAMPLES, strict=True))),
-        right=scara(),
-        parts={"x is": np.s_[:, 0], "y is": np.s_[:, 1], "z is": np.s_[:, 2]},
-        misconceptions=(
-            (
-                scara(second=theta_2),
-                "theta_2 is counted from the first link, so the second link points at theta_1 + theta_2.",
-            ),
-            (scara(height=d_1 + d_3), "the slide moves the gripper down, so its d_3 lowers the gripper."),
-            (
-                [L_1 + L_2 * sp.cos(theta_1), L_2 * sp.sin(theta_1), HEIGHT],
-                "this is a distal table multiplied in the proximal way: dh.modified takes a before theta, so each "
-                "row needs the a of the link before.",
-            ),
-            (
-                [scara()[1], scara()[0], HEIGHT],
-                "x and y are swapped: at theta_1 = theta_2 = 0 the arm lies along x.",
-            ),
-            *(
-                (
-                    scara(height=HEIGHT + lift),
-                    "both joint axes are vertical, so no joint angle changes the height.",
-                )
-                for lift in (L_2 * sp.sin(theta_2), scara()[1])
-            ),
-            (
-                scara(theta_1 * sp.pi / 180, (theta_1 + theta_2) * sp.pi / 180),
-                "this takes the angles for degrees; sin and cos take radians, and so does this course.",
-            ),
-        ),
-        hints=(
-            "Seen from above it is a planar arm with two links. At which angle from x does the second link point?",
-            "A standard DH table of it has three rows. Which alpha in the second turns z down the slide?",
-        ),
-        explanation="The first row lifts by $d_1$ and reaches out by $L_1$; the second reaches out by $L_2$ "
-        "and, with $\\alpha = \\pi$, turns $z$ downwards, so that the slide $d_3$ lowers the gripper.",
-        code="table = [dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)]\n"
-        "answer_3 = tidy(dh.chain(table)[-1][:3, 3])",
+    "A1.3": Own(
+        scara, {"d_1": (0.4, 0.3, 0.6, 0.01), "L_1": (0.3, 0.25, 0.4, 0.01), "L_2": (0.25, 0.15, 0.24, 0.01)}
     ),
 }

@@ -19,6 +19,7 @@ from .answers import Form, UnreadableAnswerError
 
 TOLERANCE = 5e-4  # half a unit of the fourth digit, where the first is 1
 RIGHT = "correct."
+NOT_ATTEMPTED = "not attempted yet; put your answer in place of the dots."
 NEARLY = "nearly: three digits are right, and four are expected; keep more of them on the way."
 MOST_TURNS = 1e6  # beyond, nothing is left of an angle's digits
 
@@ -60,6 +61,7 @@ class Exercise:
     period : by how much every entry, or each, may differ without a difference; 0 for not at all
     parts : what is judged by itself, relative to its own size, and told by itself: index by words such as "x is"
     choices : the only numbers that may be entries; told is only how many of them are wrong
+    numbers : those that the task takes from the reader's name; empty for a task that takes none
 
     >>> Exercise(Form(()), 0.5, ((2, "this is its inverse."),), (), "", "").judge(2)
     'not yet: this is its inverse.'
@@ -77,11 +79,12 @@ class Exercise:
     parts: Mapping[str, Any] = field(default_factory=lambda: {"": ...})
     choices: tuple[float, ...] = ()
     also: tuple = ()
+    numbers: tuple = ()
 
     def judge(self, answer: object) -> str:
         """What to say about ``answer``: RIGHT, or one sentence."""
         if answer is ... or answer is None:
-            return "not attempted yet; put your answer in place of the dots."
+            return NOT_ATTEMPTED
         try:
             x = self.form.read(answer)
         except UnreadableAnswerError as fault:

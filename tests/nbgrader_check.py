@@ -23,12 +23,12 @@ NAME = "Ada Lovelace"
 
 def nbgrader(course: Path, *arguments: str) -> None:
     """Run nbgrader in the course's folder, out of reach of anybody's settings."""
-    places = {name: str(course / "home") for name in ("HOME", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
+    names = ("HOME", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "IPYTHONDIR")
+    places = dict.fromkeys(names, str(course / "home"))
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])  # it calls alembic by name
     more = {"JUPYTER_PREFER_ENV_PATH": "1", "PATH": path} | places
-    run = subprocess.run(
-        [sys.executable, "-m", "nbgrader", *arguments], cwd=course, env=os.environ | more, capture_output=True, text=True
-    )
+    command = [sys.executable, "-m", "nbgrader", *arguments]
+    run = subprocess.run(command, cwd=course, env=os.environ | more, capture_output=True, text=True)
     if run.returncode:
         sys.exit(f"nbgrader {' '.join(arguments)}:\n{run.stdout}{run.stderr}")
 
@@ -103,7 +103,7 @@ def main() -> None:
             rows = {(row["assignment"], row["student_id"]): row for row in csv.DictReader(file)}
     found = {key: (float(row["score"]), float(row["max_score"])) for key, row in rows.items()}
     for key in sorted({*found, *expected}):
-        print(*key, *found.get(key, ["missing"]), "" if found.get(key) == expected.get(key) else "FAILED", sep="  ")
+        print(*key, *found.get(key, ["missing"]), "" if found.get(key) == expected.get(key) else "FAILED")
     if found != expected:
         sys.exit(f"FAILED: {expected} was expected")
 

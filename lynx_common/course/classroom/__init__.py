@@ -1,4 +1,4 @@
-"""For a class: nbgrader's source notebooks (`assignment`), grading without nbgrader (`grade`), the answers (`key`).
+"""For a class: nbgrader's source notebooks (`assignment`), grading without nbgrader (`grade`), answers (`key`).
 
 No notebook imports from here. Which exercises there are, and under which names their answers are looked for, is
 read from the committed notebooks, whatever somebody has handed in.
@@ -17,4 +17,4 @@ CHECK = re.compile(r'exercises\.check\("(\w+\.\d+)", (\w+)\)')
 def answers(notebook: Path) -> dict[str, str]:
     """Of each exercise of a committed notebook, the name of the answer: {"A1.1": "answer_1", ...}."""
     cells = code_cells(nbformat.read(notebook, as_version=4))
-    return dict(found.groups() for cell in cells if (found := CHECK.search(cell.source)))
+    return {found[1]: found[2] for cell in cells if (found := CHECK.search(cell.source))}

@@ -67,4 +67,4 @@ def write(folder: Path = FOLDER) -> list[str]:
 
 if __name__ == "__main__":
     names = write()
-    print(f"{len(names)} assignments are in {FOLDER}. There, with nbgrader: nbgrader generate_assignment {names[0]}")
+    print(f"{len(names)} assignments are in {FOLDER}. There: nbgrader generate_assignment {names[0]}")

@@ -2,8 +2,8 @@
 
 FOLDER holds one folder a student; a notebook lying loose is told by its file's name, as in
 ada-A1_forward_kinematics.ipynb. Each notebook runs in a fresh process, in a temporary copy of its folder, with
-limits on time and, on Linux, on memory. Its answers are taken by name, as plain data, and judged in this process, so
-that what it has made of its check cells does not matter. It is no sandbox: a notebook does what it says.
+limits on time and, on Linux, on memory. Its answers are taken by name, as plain data, and judged in this process,
+so that what it has made of its check cells does not matter. It is no sandbox: a notebook does what it says.
 """
 
 import contextlib
@@ -28,7 +28,8 @@ from . import answers
 from .plain import decode
 
 FILE = ROOT / "build" / "grades.csv"
-SECONDS = 120  # for a notebook; the slowest takes 20 where nothing else runs
+SECONDS = 120  # of computing, for a notebook; the slowest needs 14
+WAIT = 600  # seconds in all: for one that sleeps, and on Windows
 BYTES = 4 * 2**30
 WARNING = "This is no sandbox: each notebook runs with your rights, and can read and change what you can."
 
@@ -45,20 +46,18 @@ class Row(NamedTuple):
     run: str  # how the notebook's run ended
 
 
-def grade(folder: Path, seconds: float = SECONDS, size: int = BYTES) -> Iterator[Row]:
+def grade(folder: Path, seconds: int = SECONDS, wait: float = WAIT) -> Iterator[Row]:
     """The rows of all notebooks in ``folder``, by student."""
     known = {path.stem: answers(path) for path in sorted(NOTEBOOKS.glob("*.ipynb"))}
     paths = sorted(path for path in folder.rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts)
     stems = [next((stem for stem in known if stem in path.stem), "") for path in paths]
+    names = [known.get(stem, {}) for stem in stems]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        states = pool.map(
-            lambda path, stem: run(path, folder, [*known.get(stem, {}).values()], seconds, size), paths, stems
-        )
-        for path, stem, (state, end) in zip(paths, stems, states, strict=True):
+        runs = pool.map(lambda path, own: run(path, folder, [*own.values()], seconds, wait), paths, names)
+        for path, stem, own, (state, end) in zip(paths, stems, names, runs, strict=True):
             place = path.relative_to(folder)
-            loose = path.stem.replace(stem, "").strip("-_ ") if stem else path.stem
-            student = place.parts[0] if place.parts[1:] else loose
-            yield from rows(student, str(place), known.get(stem, {}), state, end)
+            loose = path.stem.partition(stem)[0].strip("-_ ") if stem else path.stem
+            yield from rows(place.parts[0] if place.parts[1:] else loose, str(place), own, state, end)
 
 
 def rows(student: str, place: str, names: dict[str, str], state: dict, end: str) -> Iterator[Row]:
@@ -74,52 +73,59 @@ def rows(student: str, place: str, names: dict[str, str], state: dict, end: str)
         yield Row(student, name, place, key, int(said == RIGHT), said, end)
 
 
-def run(path: Path, folder: Path, names: list[str], seconds: float, size: int) -> tuple[dict[str, Any], str]:
+def run(path: Path, folder: Path, names: list[str], seconds: int, wait: float) -> tuple[dict[str, Any], str]:
     """What a notebook's process wrote down, and a sentence on how it ended."""
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as temporary:
         work, file = Path(temporary, "work"), Path(temporary, "state.json")
-        if path.parent == folder:
-            work.mkdir()
-            shutil.copy(path, work)
-        else:
-            shutil.copytree(path.parent, work, symlinks=True)
-        command = [sys.executable, "-P", "-m", f"{__package__}.run", work / path.name, file, str(size), *names]
-        late = not finished(command, work, seconds)
+        runner = [sys.executable, "-P", "-m", f"{__package__}.run", str(work / path.name), str(file)]
         try:
+            if path.parent == folder:  # beside it are other students' notebooks
+                work.mkdir()
+                shutil.copy(path, work)
+            else:
+                shutil.copytree(path.parent, work, symlinks=True)
+            code = exit_code([*runner, str(seconds), str(BYTES), *names], work, wait)
             state = json.loads(file.read_text(encoding="utf-8"))
-            return state, ending(state, seconds if late else None)
-        except FileNotFoundError:
+            return state, ending(state, code, seconds, wait)
+        except OSError:  # not to be copied, or left before its first cell
             return {}, "it cannot be read as a notebook."
         except Exception:  # a notebook can have written what it likes
             return {}, "what it left cannot be read."
 
 
-def finished(command: list, work: Path, seconds: float) -> bool:
-    """Run the command with all that it starts; whether it came to its end in time."""
-    nothing = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
-    environment = kernel_environment(MPLBACKEND="agg")
-    process = subprocess.Popen(command, cwd=work, env=environment, start_new_session=True, **nothing)
+def exit_code(command: list[str], work: Path, wait: float) -> int | None:
+    """Run the command, and end all that it has started; None where it did not come to its end in time."""
+    process = subprocess.Popen(
+        command,
+        cwd=work,
+        env=kernel_environment(MPLBACKEND="agg", IPYTHONDIR=str(work.parent)),
+        start_new_session=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
     try:
-        process.wait(seconds)
-        return True
+        return process.wait(wait)
     except subprocess.TimeoutExpired:
-        return False
+        return None
     finally:
-        with contextlib.suppress(ProcessLookupError):
+        with contextlib.suppress(OSError):
             os.killpg(process.pid, signal.SIGKILL) if hasattr(os, "killpg") else process.kill()
         process.wait()
 
 
-def ending(state: dict[str, Any], seconds: float | None) -> str:
+def ending(state: dict[str, Any], code: int | None, seconds: int, wait: float) -> str:
     """How the run ended, in a sentence."""
     failed = [f"{error} in code cell {number}" for number, error in state["failed"]]
-    more = f"; before that, {failed[0]}" if failed else ""
     if state["ended"]:
         rest = f", and {len(failed) - 1} more" if failed[1:] else ""
         return f"it ran to its end, but for {failed[0]}{rest}." if failed else "it ran to its end."
-    if seconds is not None:
-        return f"it was stopped after {seconds:g} s, in code cell {state['cell']}{more}."
-    return f"its process ended in code cell {state['cell']}{more}."
+    where = f"in code cell {state['cell']}" + (f"; before that, {failed[0]}" if failed else "")
+    if code is None:
+        return f"it was stopped after {wait:g} s, {where}."
+    if code and -code == getattr(signal, "SIGXCPU", None):
+        return f"it was stopped after {seconds} s of computing, {where}."
+    return f"its process ended {where}."
 
 
 def shown(entry: object) -> object:
@@ -133,13 +139,11 @@ def main(folder: Path) -> int:
         return 1
     print(WARNING)
     FILE.parent.mkdir(exist_ok=True)
-    count = 0
     with FILE.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file)
         table.writerow(Row._fields)
-        for count, row in enumerate(grade(folder.resolve()), 1):
-            table.writerow(map(shown, row))
-    print(f"{count} rows are in {FILE}")
+        table.writerows(map(shown, row) for row in grade(folder.resolve()))
+    print(f"The grades are in {FILE}")
     return 0
 
 

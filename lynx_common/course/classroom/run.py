@@ -1,7 +1,7 @@
 """Run a notebook that was handed in, in this process, and write down after each cell what its answers are by then.
 
-`grade` starts this as a process of its own: NOTEBOOK, the file for what is written down, the limit on memory in
-bytes, and the names of the answers. An error in a cell stops that cell only.
+`grade` starts this as a process of its own: NOTEBOOK, the file for what is written down, the limits on seconds of
+computing and on bytes of memory, and the names of the answers. An error in a cell stops that cell only.
 """
 
 import json
@@ -11,18 +11,19 @@ from pathlib import Path
 from typing import Any
 
 from IPython.core.interactiveshell import InteractiveShell
-from traitlets.config import Config
 
 from ..exercises import reader
 from .plain import encode
 
 
-def limit_memory(size: int) -> None:
-    """On Linux; elsewhere there is no limit that is kept."""
-    if sys.platform == "linux":
+def limit(seconds: int, size: int) -> None:
+    """Memory on Linux only: elsewhere no such limit is kept. The time that other processes take does not count."""
+    if sys.platform != "win32":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (size, size))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        if sys.platform == "linux":
+            resource.setrlimit(resource.RLIMIT_AS, (size, size))
 
 
 def code(notebook: Path) -> list[str]:
@@ -35,7 +36,7 @@ def run(notebook: Path, file: Path, names: list[str]) -> None:
     """Run every cell; ``file`` always holds how far it is, which cells failed, and the answers by then."""
     state: dict[str, Any] = {"cell": 0, "failed": [], "answers": {}, "student": "", "ended": False}
     sources = code(notebook)
-    shell = InteractiveShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
+    shell = InteractiveShell.instance()
     sys.path.insert(0, "")
     for number, source in enumerate(sources, 1):
         write(state | {"cell": number}, file)
@@ -57,6 +58,6 @@ def write(state: dict[str, Any], file: Path) -> None:
 
 
 if __name__ == "__main__":
-    limit_memory(int(sys.argv[3]))
-    run(Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[4:])
+    limit(int(sys.argv[3]), int(sys.argv[4]))
+    run(Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[5:])
     os._exit(0)  # whatever threads are left

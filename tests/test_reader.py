@@ -2,11 +2,9 @@
 
 import json
 import re
-import time
 
 import numpy as np
 import pytest
-import sympy as sp
 
 from lynx_common.course import exercises
 from lynx_common.course.exercises import reader
@@ -15,7 +13,9 @@ from lynx_common.errors import LynxError, UnknownNameError, WrongAnswerError
 
 CATALOGUE = exercises.catalogue()
 OWN = [name for name, exercise in CATALOGUE.items() if exercise.numbers]
-NAMES = [f"{first} {last}" for first in "Ada Émile Lì 李 Mary Noé Olu Priya Zoë x".split() for last in range(20)]
+NAMES = [
+    f"{first} {last}" for first in ("Ada", "Émile", "Lì", "李", "Mary", "Noé", "Olu", "Zoë") for last in range(25)
+]
 own = pytest.mark.parametrize("name", OWN)
 
 
@@ -68,7 +68,7 @@ def test_numbers_are_the_same_everywhere_and_for_ever():
 
 
 def test_capitals_and_blanks_do_not_make_another_name():
-    for student in ("ada lovelace", " Ada  LOVELACE\n", "ADA\tLovelace", "Ａda Lovelace"):
+    for student in ("ada lovelace", " Ada  LOVELACE\n", "ADA\tLovelace", "\uff21da Lovelace"):
         assert exercises.find("A1.3", student).numbers == exercises.find("A1.3", "Ada Lovelace").numbers
     assert exercises.find("A1.3", "STRASSE").numbers == exercises.find("A1.3", "straße").numbers
 

@@ -5,6 +5,7 @@ import numpy as np
 from ... import arcs, arm, workspace
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 d_1, L_1, L_2, L_3 = arm.LYNX
 
@@ -29,11 +30,42 @@ def both_sides(region: arcs.Region) -> arcs.Region:
 
 REGION, SHELL = both_sides(section(HALF, ONE_WAY)), both_sides(section(HALF, HALF))
 
-# A2.3: the SCARA arm, seen from above; its first joint is the shoulder of ours, lying down.
-SLIDE, FIRST, SECOND = 0.15, 0.3, 0.25
-SCARA = section((-130, 130), (-145, 145), arm.Geometry(0, FIRST, SECOND, 0))
-RING = np.pi * 2 * FIRST * SECOND * (1 - np.cos(np.deg2rad(145)))
+# A2.3: a SCARA arm, seen from above; its first joint is the shoulder of ours, lying down.
 TURNED = "here nothing turns about the axis r = 0: the plane is seen from above, and the slide moves it."
+
+
+def scara(L_1: float, L_2: float, first: int, second: int, slide: float) -> Exercise:
+    """A2.3: two links and a slide, in metres, and how far the two joints turn to either side, in degrees."""
+    region = section((-first, first), (-second, second), arm.Geometry(0, L_1, L_2, 0))
+    ring = 2 * np.pi * L_1 * L_2 * (1 - np.cos(np.deg2rad(second)))
+    return Exercise(
+        form=Form(()),
+        unit="cubic metres",
+        right=region.area * slide,
+        misconceptions=(
+            (
+                ring * slide,
+                "this is for a first joint that turns fully; its limits take a part of the ring.",
+            ),
+            (
+                ring * first / 180 * slide,
+                "this is a sector of the ring; at its sides the second link reaches further round.",
+            ),
+            (region.area, "this is the area, seen from above; the slide makes a volume of it."),
+            (region.volume, TURNED),
+            (both_sides(region).volume, TURNED),
+        ),
+        hints=(
+            "Seen from above, its two joints are our joints 2 and 3, lying down.",
+            f"workspace.section takes another arm: geometry=arm.Geometry(0, {L_1}, {L_2}, 0). What does a slide "
+            "make of an area?",
+        ),
+        explanation="Lay our arm on its side: shoulder and elbow become the two joints of the SCARA arm, and its "
+        f"section the area seen from above. The slide adds height, so the volume is area times {slide} m.",
+        code=f"of_scara = np.deg2rad([[0, 360], [-{first}, {first}], [-{second}, {second}], [0, 360]])\n"
+        f"region = workspace.section(of_scara, geometry=arm.Geometry(0, {L_1}, {L_2}, 0))\n"
+        f"answer_3 = region.area * {slide}",
+    )
 
 
 EXERCISES = {
@@ -84,32 +116,14 @@ EXERCISES = {
         "region = workspace.section(one_way)\n"
         "answer_2 = (region | region.mirror()).volume",
     ),
-    "A2.3": Exercise(
-        form=Form(()),
-        unit="cubic metres",
-        right=SCARA.area * SLIDE,
-        misconceptions=(
-            (
-                RING * SLIDE,
-                "this is for a first joint that turns fully; its limits take a part of the ring.",
-            ),
-            (
-                RING * 260 / 360 * SLIDE,
-                "this is a sector of the ring; at its sides the second link reaches further round.",
-            ),
-            (SCARA.area, "this is the area, seen from above; the slide makes a volume of it."),
-            (SCARA.volume, TURNED),
-            (both_sides(SCARA).volume, TURNED),
-        ),
-        hints=(
-            "Seen from above, its two joints are our joints 2 and 3, lying down.",
-            "workspace.section takes another arm: geometry=arm.Geometry(0, 0.3, 0.25, 0). What does a slide "
-            "make of an area?",
-        ),
-        explanation="Lay our arm on its side: shoulder and elbow become the two joints of the SCARA arm, and its "
-        "section the area seen from above. The slide adds height, so the volume is area times 0.15 m.",
-        code="of_scara = np.deg2rad([[0, 360], [-130, 130], [-145, 145], [0, 360]])\n"
-        "region = workspace.section(of_scara, geometry=arm.Geometry(0, 0.3, 0.25, 0))\n"
-        "answer_3 = region.area * 0.15",
+    "A2.3": Own(
+        scara,
+        {
+            "L_1": (0.3, 0.25, 0.35, 0.01),
+            "L_2": (0.25, 0.2, 0.3, 0.01),
+            "theta_1_deg": (130, 115, 135, 5),
+            "theta_2_deg": (145, 140, 150, 5),
+            "slide": (0.15, 0.1, 0.2, 0.01),
+        },
     ),
 }

@@ -4,9 +4,9 @@ import numpy as np
 import sympy as sp
 
 from ... import arm
-from ...symbolic import P
 from .answers import Form
 from .exercise import Exercise, to_four_digits
+from .reader import Own
 
 # A3.1: the wrist above a gripper that points down.
 GRIPPER = np.array([0.25, 0, 0.05])
@@ -27,31 +27,61 @@ CABLE = "it holds the object, but the cable does not allow this theta_1; let the
 
 # A3.3: the SCARA arm.
 x, y, z = sp.symbols("x y z", real=True)
-d_1, L_1, L_2, _ = P
-Q_2 = sp.acos((x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2))
+QUADRANT = "an arc tangent of a quotient loses the quadrant; use sp.atan2(y, x)."
 
 
-def shoulder(q_2: sp.Expr, atan=sp.atan2, inner_atan=sp.atan2) -> sp.Expr:
-    """theta_1 of the SCARA arm; the arc tangents take a numerator and a denominator."""
-    return atan(y, x) - inner_atan(L_2 * sp.sin(q_2), L_1 + L_2 * sp.cos(q_2))
+def targets(L_1: float, L_2: float) -> dict[str, np.ndarray]:
+    """Reachable ones all around the column, the elbow neither stretched nor folded."""
+    rng = np.random.default_rng(0)
+    q_1, q_2 = rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.2, 2.8, 40)
+    reach = L_1 * np.exp(1j * q_1) + L_2 * np.exp(1j * (q_1 + q_2))
+    return {"x": reach.real, "y": reach.imag, "z": rng.uniform(0, 0.2, 40)}
 
 
 def of_quotient(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     return sp.atan(a / b)
 
 
-def samples() -> dict[str, np.ndarray]:
-    """Reachable targets all around the column."""
-    rng = np.random.default_rng(0)
-    base, first, second = rng.uniform(0.2, 0.5, (3, 40))
-    q_1, q_2 = rng.uniform(-np.pi, np.pi, 40), rng.uniform(0.2, 2.8, 40)
-    reach = first * np.exp(1j * q_1) + second * np.exp(1j * (q_1 + q_2))
-    of = {"x": reach.real, "y": reach.imag, "z": rng.uniform(0, 0.2, 40)}
-    return of | {"d_1": base, "L_1": first, "L_2": second}
+def scara(d_1: float, L_1: float, L_2: float) -> Exercise:
+    """A3.3, for a column and two links of these lengths, in metres."""
+    q_2 = sp.acos((x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2))
 
+    def shoulder(q_2: sp.Expr, atan=sp.atan2, inner_atan=sp.atan2) -> sp.Expr:
+        """The arc tangents take a numerator and a denominator."""
+        return atan(y, x) - inner_atan(L_2 * sp.sin(q_2), L_1 + L_2 * sp.cos(q_2))
 
-Q_1, D_3 = shoulder(Q_2), d_1 - z
-QUADRANT = "an arc tangent of a quotient loses the quadrant; use sp.atan2(y, x)."
+    q_1, d_3 = shoulder(q_2), d_1 - z
+    return Exercise(
+        form=Form((3,), targets(L_1, L_2)),
+        unit=["radians", "radians", "metres"],
+        right=[q_1, q_2, d_3],
+        period=2 * np.pi * np.array([1, 1, 0]),
+        parts={"theta_1 is": np.s_[:, 0], "theta_2 is": np.s_[:, 1], "d_3 is": np.s_[:, 2]},
+        misconceptions=(
+            ([shoulder(-q_2), -q_2, d_3], "the gripper is there, but with the other elbow: theta_2 is negative."),
+            ([q_1, q_2, -d_3], "the slide lowers the gripper, so d_3 is d_1 - z."),
+            ([shoulder(q_2, of_quotient), q_2, d_3], QUADRANT),
+            ([shoulder(q_2, sp.atan2, of_quotient), q_2, d_3], QUADRANT),
+            ([shoulder(q_2, of_quotient, of_quotient), q_2, d_3], QUADRANT),
+            ([q_1, q_1 + q_2, d_3], "theta_2 is counted from the first link; this is counted from x."),
+            (
+                [2 * sp.atan2(y, x) - q_1, q_2, d_3],
+                "in theta_1 the angle within the triangle is to be taken off, not added, for theta_2 >= 0.",
+            ),
+        ),
+        hints=(
+            "Seen from above it is the triangle of section 1, with x and y in place of r_wrist and h.",
+            "The law of cosines gives cos(theta_2), with x**2 + y**2 for the square of the third side; "
+            "then theta_1 as in (1.7).",
+        ),
+        explanation="From above, the SCARA arm is the triangle of section 1, lying down: $x$ and $y$ take the "
+        "place of $r_{wrist}$ and $h$, $\\theta_1$ that of $\\theta_2$, and $\\theta_2$ that of $\\theta_3$. "
+        f"The slide makes up the height, $d_3 = {d_1} - z$.",
+        code=f"C = (x**2 + y**2 - {L_1}**2 - {L_2}**2) / (2 * {L_1} * {L_2})\n"
+        "q_2 = sp.acos(C)\n"
+        f"q_1 = sp.atan2(y, x) - sp.atan2({L_2} * sp.sin(q_2), {L_1} + {L_2} * sp.cos(q_2))\n"
+        f"answer_3 = [q_1, q_2, {d_1} - z]",
+    )
 
 
 EXERCISES = {
@@ -107,35 +137,8 @@ EXERCISES = {
         code='row = arm.BRANCHES.index(("back", "up"))\n'
         "answer_2 = arm.inverse_kinematics([-0.2, 0.1, 0.3], pitch=0.0)[row]",
     ),
-    "A3.3": Exercise(
-        form=Form((3,), samples()),
-        unit=["radians", "radians", "metres"],
-        right=[Q_1, Q_2, D_3],
-        period=2 * np.pi * np.array([1, 1, 0]),
-        parts={"theta_1 is": np.s_[:, 0], "theta_2 is": np.s_[:, 1], "d_3 is": np.s_[:, 2]},
-        misconceptions=(
-            ([shoulder(-Q_2), -Q_2, D_3], "the gripper is there, but with the other elbow: theta_2 is negative."),
-            ([Q_1, Q_2, -D_3], "the slide lowers the gripper, so d_3 is d_1 - z."),
-            ([shoulder(Q_2, of_quotient), Q_2, D_3], QUADRANT),
-            ([shoulder(Q_2, sp.atan2, of_quotient), Q_2, D_3], QUADRANT),
-            ([shoulder(Q_2, of_quotient, of_quotient), Q_2, D_3], QUADRANT),
-            ([Q_1, Q_1 + Q_2, D_3], "theta_2 is counted from the first link; this is counted from x."),
-            (
-                [2 * sp.atan2(y, x) - Q_1, Q_2, D_3],
-                "in theta_1 the angle within the triangle is to be taken off, not added, for theta_2 >= 0.",
-            ),
-        ),
-        hints=(
-            "Seen from above it is the triangle of section 1, with x and y in place of r_wrist and h.",
-            "The law of cosines gives cos(theta_2), with x**2 + y**2 for the square of the third side; "
-            "then theta_1 as in (1.7).",
-        ),
-        explanation="From above, the SCARA arm is the triangle of section 1, lying down: $x$ and $y$ take the "
-        "place of $r_{wrist}$ and $h$, $\\theta_1$ that of $\\theta_2$, and $\\theta_2$ that of $\\theta_3$. "
-        "The slide makes up the height.",
-        code="C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)\n"
-        "q_2 = sp.acos(C)\n"
-        "q_1 = sp.atan2(y, x) - sp.atan2(L_2 * sp.sin(q_2), L_1 + L_2 * sp.cos(q_2))\n"
-        "answer_3 = [q_1, q_2, d_1 - z]",
+    # With L_2 > L_1 the elbow may lie behind the column, so that every arc tangent has all quadrants.
+    "A3.3": Own(
+        scara, {"d_1": (0.4, 0.3, 0.6, 0.01), "L_1": (0.25, 0.2, 0.28, 0.01), "L_2": (0.3, 0.32, 0.42, 0.01)}
     ),
 }

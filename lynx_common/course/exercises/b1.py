@@ -5,6 +5,7 @@ import numpy as np
 from ... import arm
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 d_1, L_1, L_2, L_3 = arm.Geometry()  # the report's
 
@@ -23,12 +24,44 @@ AZIMUTH, ACROSS = np.arctan2(0.1, 0.25), np.deg2rad(30 + 90)
 ROLL = AZIMUTH - ACROSS
 WITHOUT_BASE = "this leaves out theta_1: the gripper turns with the base."
 
-# B1.3: the excavator.
-BOOM, STICK, BUCKET, JOINT, DEPTH = 5.7, 2.9, 1.5, 1.5, 2.0
 
-
+# B1.3: an excavator.
 def along_the_ground(reach: float, drop: float) -> float:
     return float(np.sqrt(reach**2 - drop**2))
+
+
+def excavator(boom: float, stick: float, bucket: float, joint: float, depth: float) -> Exercise:
+    """B1.3: lengths, the height of the boom's joint, and the depth of the teeth, in metres."""
+    drop = joint + depth - bucket
+    far = along_the_ground(boom + stick, drop)
+    return Exercise(
+        form=Form(()),
+        unit="metres",
+        right=far,
+        misconceptions=(
+            (
+                along_the_ground(boom + stick, joint + depth),
+                "this puts the end of the stick at the teeth; it is a bucket's length above them.",
+            ),
+            (
+                along_the_ground(boom + stick + bucket, joint + depth),
+                "this stretches the bucket as well; it is to point straight down.",
+            ),
+            (
+                along_the_ground(boom + stick, depth - bucket),
+                f"this counts the depth from the boom's joint, which is {joint} m above the ground.",
+            ),
+            (boom + stick, "the end of the stick gets that far only at the height of the joint."),
+        ),
+        hints=(
+            "Walk back from the teeth along the bucket: where is the end of the stick, from the boom's joint?",
+            "Stretched, boom and stick are the long side of a right triangle. Which of its sides is the drop?",
+        ),
+        explanation=f"The end of the stick is a bucket's length above the teeth, at $-{depth} + {bucket} = "
+        f"{bucket - depth:.1f}$ m, which is {drop:.1f} m below the joint. Stretched, boom and stick reach "
+        f"{boom + stick:.1f} m: $\\sqrt{{{boom + stick:.1f}^2 - {drop:.1f}^2}} = {far:.3f}$ m.",
+        code=f"answer_3 = np.sqrt(({boom} + {stick}) ** 2 - ({joint} + {depth} - {bucket}) ** 2)",
+    )
 
 
 EXERCISES = {
@@ -78,31 +111,14 @@ EXERCISES = {
         "21.8° - 120° = -98.2°, or half a turn from it, which only swaps the fingers.",
         code="answer_2 = np.arctan2(0.1, 0.25) - np.deg2rad(120)",
     ),
-    "B1.3": Exercise(
-        form=Form(()),
-        unit="metres",
-        right=along_the_ground(BOOM + STICK, JOINT + DEPTH - BUCKET),
-        misconceptions=(
-            (
-                along_the_ground(BOOM + STICK, JOINT + DEPTH),
-                "this puts the end of the stick at the teeth; it is a bucket's length above them.",
-            ),
-            (
-                along_the_ground(BOOM + STICK + BUCKET, JOINT + DEPTH),
-                "this stretches the bucket as well; it is to point straight down.",
-            ),
-            (
-                along_the_ground(BOOM + STICK, DEPTH - BUCKET),
-                "this counts the depth from the boom's joint, which is 1.5 m above the ground.",
-            ),
-            (BOOM + STICK, "the end of the stick gets that far only at the height of the joint."),
-        ),
-        hints=(
-            "Walk back from the teeth along the bucket: where is the end of the stick, from the boom's joint?",
-            "Stretched, boom and stick are the long side of a right triangle. Which of its sides is the drop?",
-        ),
-        explanation="The end of the stick is a bucket's length above the teeth, at $-2 + 1.5 = -0.5$ m, which is "
-        "2 m below the joint. Stretched, boom and stick reach 8.6 m: $\\sqrt{8.6^2 - 2^2} = 8.364$ m.",
-        code="answer_3 = np.sqrt((5.7 + 2.9) ** 2 - (1.5 + 2.0 - 1.5) ** 2)",
+    "B1.3": Own(
+        excavator,
+        {
+            "boom": (5.7, 5.2, 6.2, 0.1),
+            "stick": (2.9, 2.5, 3.2, 0.1),
+            "bucket": (1.5, 1.2, 1.5, 0.1),
+            "joint": (1.5, 1.4, 1.8, 0.1),
+            "depth": (2.0, 2.0, 2.6, 0.1),
+        },
     ),
 }

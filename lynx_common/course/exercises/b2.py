@@ -7,6 +7,7 @@ import numpy as np
 from ... import arm
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 d_1, L_1, L_2, L_3 = arm.LYNX
 
@@ -18,13 +19,44 @@ IN_DEGREES = arm.joint_positions(np.rad2deg(POSTURE) % (2 * np.pi))[2]
 # B2.2: theta_3 ~ u^(n/2), for n = 1 to 6; whether its first and second derivative at u = 0 are finite.
 FINITE = np.array([0, 1, 0, 1, 1, 1])
 
-# B2.3: two level links of 0.25 m; the gripper runs from (0.3, 0) to (-0.3, 0), over the column.
-LINK, START = 0.25, 0.3
-HALF = np.arccos(-START / (2 * LINK))
-END = np.array([-HALF, 2 * HALF])
-AT_START = np.array([HALF - np.pi, 2 * np.pi - 2 * HALF])
+# B2.3: two level links; the gripper runs straight over the column.
 JUMPED = "the gripper is there, but joint 1 has jumped by half a turn over the column."
 WRAPPED = "the posture is right, but an angle is wrapped: on the way it would have to jump by a full turn."
+
+
+def over_the_column(link: float, start: float) -> Exercise:
+    """B2.3: the length of either link, and where the gripper starts on the x axis, in metres."""
+    half = float(np.arccos(-start / (2 * link)))
+    turn = np.rad2deg(half)
+    end = np.array([-half, 2 * half])
+    at_start = np.array([half - np.pi, 2 * np.pi - 2 * half])
+    return Exercise(
+        form=Form((2,)),
+        unit="radians",
+        right=end,
+        misconceptions=(
+            (at_start + [np.pi, 0], JUMPED),
+            (at_start - [np.pi, 0], JUMPED),
+            *(
+                (end + 2 * np.pi * np.array(turns), WRAPPED)
+                for turns in product((-1, 0, 1), repeat=2)
+                if turns != (0, 0)
+            ),
+            (at_start, "this is where it starts."),
+            (-at_start, "this is the other elbow, at the start."),
+            (end[::-1], "theta_1 comes first."),
+        ),
+        hints=(
+            "With equal links the gripper is 2 L cos(theta_2 / 2) from the column, in the direction "
+            "theta_1 + theta_2 / 2. Let that distance have a sign.",
+            f"The direction stays 0 all the way. At the end the distance is -{start} m: which theta_2 > 180 deg?",
+        ),
+        explanation="The gripper is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction "
+        f"$\\theta_1 + \\theta_2/2$. Keep the direction at 0 and let $r$ run from {start} m to $-{start}$ m: "
+        f"$\\theta_2$ runs on through 180°, where the arm is folded, to {2 * turn:.1f}°, and "
+        f"$\\theta_1 = -\\theta_2/2$ from {turn - 180:.1f}° to {-turn:.1f}°.",
+        code=f"half = np.arccos(-{start} / (2 * {link}))\nanswer_3 = [-half, 2 * half]",
+    )
 
 
 EXERCISES = {
@@ -74,31 +106,5 @@ EXERCISES = {
         "elbow passes at a steady speed. For $n = 1$ neither has a bound, for $n = 3$ only the speed has one.",
         code="answer_2 = [0, 1, 0, 1, 1, 1]",
     ),
-    "B2.3": Exercise(
-        form=Form((2,)),
-        unit="radians",
-        right=END,
-        misconceptions=(
-            (AT_START + [np.pi, 0], JUMPED),
-            (AT_START - [np.pi, 0], JUMPED),
-            *(
-                (END + 2 * np.pi * np.array(turns), WRAPPED)
-                for turns in product((-1, 0, 1), repeat=2)
-                if turns != (0, 0)
-            ),
-            (AT_START, "this is where it starts."),
-            (-AT_START, "this is the other elbow, at the start."),
-            (END[::-1], "theta_1 comes first."),
-        ),
-        hints=(
-            "With equal links the gripper is 2 L cos(theta_2 / 2) from the column, in the direction "
-            "theta_1 + theta_2 / 2. Let that distance have a sign.",
-            "The direction stays 0 all the way. At the end the distance is -0.3 m: which theta_2, beyond 180 deg?",
-        ),
-        explanation="The gripper is at the signed distance $r = 2L\\cos(\\theta_2/2)$ in the direction "
-        "$\\theta_1 + \\theta_2/2$. Keep the direction at 0 and let $r$ run from 0.3 m to $-0.3$ m: $\\theta_2$ "
-        "runs on through 180°, where the arm is folded, to 253.7°, and $\\theta_1 = -\\theta_2/2$ from "
-        "-53.1° to -126.9°.",
-        code="half = np.arccos(-0.3 / (2 * 0.25))\nanswer_3 = [-half, 2 * half]",
-    ),
+    "B2.3": Own(over_the_column, {"link": (0.25, 0.22, 0.26, 0.001), "start": (0.3, 0.29, 0.36, 0.001)}),
 }

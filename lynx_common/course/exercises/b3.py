@@ -4,6 +4,7 @@ import numpy as np
 
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 # B3.1: a straight motion in the arm's plane, and an obstacle beyond its end.
 START, END, CENTRE, RADIUS = np.array([0.2, 0.1]), np.array([0.3, 0.3]), np.array([0.4, 0.6]), 0.1
@@ -23,21 +24,48 @@ def largest(share: float) -> float:
 
 KEEP = largest(np.pi**2)
 
-# B3.3: a robot vacuum cleaner and a pillar.
-PILLAR, ROBOT, MARGIN = 0.25, 0.17, 0.03
-HALF_WAY, ASIDE = 1.0, 0.2
-FAR = float(np.hypot(HALF_WAY, ASIDE))
-SEEN = 2 * float(np.arctan2(HALF_WAY, ASIDE))
 
+def vacuum_cleaner(distance: float, pillar: float, robot: float, margin: float, aside: float) -> Exercise:
+    """B3.3: from start to goal, two radii, the margin, and how far the pillar is beside the line, in metres."""
+    half, keep = distance / 2, pillar + robot + margin
+    far, seen = float(np.hypot(half, aside)), 2 * float(np.arctan2(half, aside))
 
-def around(keep: float, angle: float = SEEN) -> float:
-    """Length of tangent, arc, tangent; ``angle`` is that between start and end, seen from the centre."""
-    return float(2 * np.sqrt(FAR**2 - keep**2) + keep * (angle - 2 * np.arccos(keep / FAR)))
+    def around(keep: float, angle: float = seen) -> float:
+        """Length of tangent, arc, tangent; ``angle`` is that between start and end, seen from the centre."""
+        return float(2 * np.sqrt(far**2 - keep**2) + keep * (angle - 2 * np.arccos(keep / far)))
 
-
-WHOLE = PILLAR + ROBOT + MARGIN
-CORNER = 2 * HALF_WAY / float(np.cos(np.arcsin(WHOLE / FAR) - np.arctan2(ASIDE, HALF_WAY)))
-BY_THE_EDGE = 2 * float(np.hypot(HALF_WAY, WHOLE - ASIDE))
+    corner = distance / float(np.cos(np.arcsin(keep / far) - np.arctan2(aside, half)))
+    by_the_edge = 2 * float(np.hypot(half, keep - aside))
+    return Exercise(
+        form=Form(()),
+        unit="metres",
+        right=around(keep),
+        misconceptions=(
+            (distance, "that is the straight line; the robot would run into the pillar."),
+            (around(pillar + margin), "this brings the robot's centre to the margin; it has a radius."),
+            (around(pillar + robot), "this leaves out the margin."),
+            (around(pillar), "this leaves out the robot's radius and the margin."),
+            (
+                around(keep, 2 * np.pi - seen),
+                "this is the way round the far side of the pillar; the other is shorter.",
+            ),
+            (corner, "these are two tangents that meet in a corner; along the circle it is shorter."),
+            (by_the_edge, "this is a V to the nearest edge of the circle; its sides cut through the circle."),
+        ),
+        hints=(
+            "Shrink the robot to its centre. By how much has the pillar to grow for that?",
+            "A taut thread from start to end: tangent, arc, tangent. How long is a tangent, and which part of the "
+            "angle at the centre is left for the arc?",
+        ),
+        explanation=f"The centre of the robot has to stay $\\rho = {pillar} + {robot} + {margin} = {keep:.2f}$ m "
+        f"from that of the pillar. Both ends are $D = \\sqrt{{{half:g}^2 + {aside}^2}}$ m from it, and are seen "
+        f"from it under $\\Delta = 2 \\arctan({half:g}/{aside}) = {np.rad2deg(seen):.1f}°$. So the length is "
+        f"$2 \\sqrt{{D^2 - \\rho^2}} + \\rho\\,(\\Delta - 2 \\arccos\\frac{{\\rho}}{{D}}) = "
+        f"{around(keep):.3f}$ m.",
+        code=f"rho, D = {pillar} + {robot} + {margin}, np.hypot({half:g}, {aside})\n"
+        f"delta = 2 * np.arctan2({half:g}, {aside})\n"
+        "answer_3 = 2 * np.sqrt(D**2 - rho**2) + rho * (delta - 2 * np.arccos(rho / D))",
+    )
 
 
 EXERCISES = {
@@ -86,32 +114,14 @@ EXERCISES = {
         code="l, d_0 = 0.2 * np.sqrt(2), 0.1 * np.sqrt(2)\n"
         "answer_2 = (d_0 + np.sqrt(d_0**2 + 4 * l**2 / np.pi**2)) / 2",
     ),
-    "B3.3": Exercise(
-        form=Form(()),
-        unit="metres",
-        right=around(WHOLE),
-        misconceptions=(
-            (2 * HALF_WAY, "that is the straight line; the robot would run into the pillar."),
-            (around(PILLAR + MARGIN), "this brings the robot's centre to the margin; it has a radius."),
-            (around(PILLAR + ROBOT), "this leaves out the margin."),
-            (around(PILLAR), "this leaves out the robot's radius and the margin."),
-            (
-                around(WHOLE, 2 * np.pi - SEEN),
-                "this is the way round the far side of the pillar; the other is shorter.",
-            ),
-            (CORNER, "these are two tangents that meet in a corner; along the circle it is shorter."),
-            (BY_THE_EDGE, "this is a V to the nearest edge of the circle; its sides cut through the circle."),
-        ),
-        hints=(
-            "Shrink the robot to its centre. By how much has the pillar to grow for that?",
-            "A taut thread from start to end: tangent, arc, tangent. How long is a tangent, and which part of the "
-            "angle at the centre is left for the arc?",
-        ),
-        explanation="The centre of the robot has to stay $\\rho = 0.25 + 0.17 + 0.03 = 0.45$ m from that of the "
-        "pillar. Both ends are $D = \\sqrt{1 + 0.04}$ m from it, and are seen from it under "
-        "$\\Delta = 2 \\arctan 5 = 157.4°$. So the length is $2 \\sqrt{D^2 - \\rho^2} + \\rho\\,(\\Delta - 2 "
-        "\\arccos\\frac{\\rho}{D}) = 2.064$ m.",
-        code="rho, D, delta = 0.25 + 0.17 + 0.03, np.hypot(1, 0.2), 2 * np.arctan2(1, 0.2)\n"
-        "answer_3 = 2 * np.sqrt(D**2 - rho**2) + rho * (delta - 2 * np.arccos(rho / D))",
+    "B3.3": Own(
+        vacuum_cleaner,
+        {
+            "distance": (2.0, 1.8, 2.2, 0.1),
+            "pillar": (0.25, 0.28, 0.34, 0.01),
+            "robot": (0.17, 0.16, 0.19, 0.01),
+            "margin": (0.03, 0.05, 0.07, 0.01),
+            "aside": (0.2, 0.1, 0.16, 0.01),
+        },
     ),
 }

@@ -5,6 +5,7 @@ import numpy as np
 from ... import rrr
 from .answers import Form
 from .exercise import Exercise
+from .reader import Own
 
 # P2.1 and P2.2: the report's robot at this pose.
 X_C, Y_C, TURN = -60, 80, np.deg2rad(20)
@@ -26,19 +27,48 @@ def other_legs(mode: int) -> str:
     return f"leg {legs[0]} bends" if len(legs) == 1 else f"legs {' and '.join(legs)} bend"
 
 
-# P2.3 and P2.4: other robots, in mm.
+# P2.3: another robot, in mm.
 R_BASE, R_PLATFORM, S_A = 250, 100, 120
-BASE, PLATFORM, DRIVEN, DISTAL = 300, 100, 200, 150
 
 
+# P2.4: a third robot.
 def corner(base: float, platform: float, driven: float, distal: float) -> float:
     """The turn at which the distal links point to the middle, from the triangle of PB, M and the origin."""
     elbow = platform + distal
     return float(np.arccos((base**2 + elbow**2 - driven**2) / (2 * base * elbow)))
 
 
-LOOSE = corner(BASE, PLATFORM, DRIVEN, DISTAL)
-STRETCHED = float(np.arccos((BASE**2 + PLATFORM**2 - (DRIVEN + DISTAL) ** 2) / (2 * BASE * PLATFORM)))
+def loose_platform(r_base: int, r_platform: int, S_A: int, L: int) -> Exercise:
+    """P2.4, for a robot of these lengths, in mm."""
+    elbow, loose = r_platform + L, corner(r_base, r_platform, S_A, L)
+    stretched = float(np.arccos((r_base**2 + r_platform**2 - (S_A + L) ** 2) / (2 * r_base * r_platform)))
+    return Exercise(
+        form=Form(()),
+        unit="radians",
+        right=loose,
+        misconceptions=(
+            (-loose, "this is the same with everything mirrored; a turn to the left is asked for."),
+            (stretched, "here the legs are stretched: that is type 1, and the workspace ends."),
+            (
+                corner(r_base, r_platform, L, S_A),
+                f"the links are exchanged: the driven one is {S_A} mm long, the distal one {L}.",
+            ),
+            (
+                corner(290, 130, 170, 130),
+                "this is the angle of the report's robot; the one here has other lengths.",
+            ),
+        ),
+        hints=(
+            "The three lines of the distal links are turned into each other by 120 deg. When do such lines meet?",
+            "When they pass through the middle. Then M_i is r_platform + L from it: a triangle with PB_i and S_A.",
+        ),
+        explanation="Turned into each other by 120°, the three lines meet only if they pass through the middle. "
+        f"Then $M_i$ is $r_{{platform}} + L = {elbow}$ mm from it, in the direction of $PP_i$, which is turned by "
+        "$\\alpha$ against $PB_i$. The law of cosines: "
+        f"$\\cos\\alpha = ({r_base}^2 + {elbow}^2 - {S_A}^2) / (2 \\cdot {r_base} \\cdot {elbow}) = "
+        f"{np.cos(loose):.4f}$.",
+        code=f"answer_4 = np.arccos(({r_base}**2 + {elbow}**2 - {S_A}**2) / (2 * {r_base} * {elbow}))",
+    )
 
 
 EXERCISES = {
@@ -123,30 +153,13 @@ EXERCISES = {
         "So $S_A + L \\ge 350$, which makes $L \\ge 230$ mm; and $|S_A - L| \\le 150$ holds for it, $110$.",
         code="r_base, r_platform, S_A = 250, 100, 120\nanswer_3 = r_base + r_platform - S_A",
     ),
-    "P2.4": Exercise(
-        form=Form(()),
-        unit="radians",
-        right=LOOSE,
-        misconceptions=(
-            (-LOOSE, "this is the same with everything mirrored; a turn to the left is asked for."),
-            (STRETCHED, "here the legs are stretched: that is type 1, and the workspace ends."),
-            (
-                corner(BASE, PLATFORM, DISTAL, DRIVEN),
-                "the links are exchanged: the driven one is 200 mm long, the distal one 150.",
-            ),
-            (
-                corner(290, 130, 170, 130),
-                "this is the angle of the report's robot; the one here has other lengths.",
-            ),
-        ),
-        hints=(
-            "The three lines of the distal links are turned into each other by 120 deg. When do such lines meet?",
-            "When they pass through the middle. Then M_i is r_platform + L from it: a triangle with PB_i and S_A.",
-        ),
-        explanation="Turned into each other by 120°, the three lines meet only if they pass through the middle. "
-        "Then $M_i$ is $r_{platform} + L = 250$ mm from it, in the direction of $PP_i$, which is turned by "
-        "$\\alpha$ against $PB_i$. The law of cosines: "
-        "$\\cos\\alpha = (300^2 + 250^2 - 200^2) / (2 \\cdot 300 \\cdot 250) = 3/4$.",
-        code="answer_4 = np.arccos((300**2 + 250**2 - 200**2) / (2 * 300 * 250))",
+    "P2.4": Own(
+        loose_platform,
+        {
+            "r_base": (300, 290, 310, 2),
+            "r_platform": (100, 90, 110, 2),
+            "S_A": (200, 195, 210, 5),
+            "L": (150, 145, 160, 5),
+        },
     ),
 }

@@ -6,6 +6,7 @@ import numpy as np
 
 from .answers import Form
 from .exercise import TOLERANCE, Exercise
+from .reader import Own
 
 # P3.1: five postures (theta_2, theta_3) in degrees; ranks of the position's Jacobian, and of the whole one.
 OF_POSITION, OF_ALL = np.array([2, 2, 1, 1, 3]), np.array([3, 4, 3, 3, 4])
@@ -30,16 +31,6 @@ LEAST = 0.6
 LEAN = float(np.arccos(1 - LEAST**2))
 
 
-# P3.5: damping for a joint speed of 0.8 rad/s, and the share of the motion it costs at a singular value of 3.
-DAMPING = 1 / (2 * 0.8)
-TOO_MUCH = 1 / 0.8
-
-
-def share_lost(damping: float) -> float:
-    """Share of the motion that damping costs in a direction with the singular value 3."""
-    return damping**2 / (damping**2 + 3**2)
-
-
 # P3.4: a SCARA arm carries couples about level axes, and no other wrench (f, m).
 def shares(wrench: np.ndarray) -> np.ndarray:
     """What loads its motors, and what does not, as shares of the whole: f_x, f_y, f_z, m_z and (m_x, m_y)."""
@@ -51,6 +42,44 @@ def shares(wrench: np.ndarray) -> np.ndarray:
 def only(*places: int) -> Callable[[np.ndarray], bool]:
     """Whether the motors are loaded by these entries, and by no other."""
     return lambda wrench: {*np.flatnonzero(np.abs(shares(wrench)[:4]) > TOLERANCE)} == {*places}
+
+
+def damped(limit: float, sigma: float) -> Exercise:
+    """P3.5: the joint speed allowed, in rad/s, and the singular value in whose direction something is lost."""
+
+    def share_lost(damping: float) -> float:
+        return damping**2 / (damping**2 + sigma**2)
+
+    damping = 1 / (2 * limit)
+    share = share_lost(damping)
+    return Exercise(
+        form=Form((2,)),
+        right=[damping, share],
+        parts={"the damping is": np.s_[0], "the share is": np.s_[1]},
+        misconceptions=(
+            (
+                [1 / limit, share_lost(1 / limit)],
+                "this damping keeps the limit with room to spare: the highest joint speed is half of 1/lambda.",
+            ),
+            ([damping, 1 - share], "the second number is the share that is left, not the one lost."),
+            (
+                [damping, damping / (damping**2 + sigma**2)],
+                "lambda over the sum of squares is no share: its unit is that of a speed.",
+            ),
+            (
+                [damping, sigma / (damping**2 + sigma**2)],
+                "the second number is the joint speed; the error is asked.",
+            ),
+        ),
+        hints=(
+            "Section 10 gives the speed and the error over sigma. Where is the speed highest, and how high is it?",
+            "The highest speed is 1/(2 lambda); the share lost is lambda^2/(sigma^2 + lambda^2).",
+        ),
+        explanation="The joint speed is never more than $1/(2\\lambda)$ for 1 unit/s, so "
+        f"$\\lambda = 1/(2 \\cdot {limit}) = {damping:.4g}$ units per rad. At $\\sigma = {sigma:g}$ it costs "
+        f"$\\lambda^2/(\\sigma^2 + \\lambda^2) = {share:.4f}$ of the motion.",
+        code=f"damping = 1 / (2 * {limit})\nanswer_5 = [damping, damping**2 / (damping**2 + {sigma:g}**2)]",
+    )
 
 
 EXERCISES = {
@@ -180,28 +209,5 @@ EXERCISES = {
         "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
         "answer_4 = screws.reciprocal_system(twists)[:, 0]",
     ),
-    "P3.5": Exercise(
-        form=Form((2,)),
-        right=[DAMPING, share_lost(DAMPING)],
-        misconceptions=(
-            (
-                [TOO_MUCH, share_lost(TOO_MUCH)],
-                "this damping keeps the limit with room to spare: the highest joint speed is half of 1/lambda.",
-            ),
-            ([DAMPING, 1 - share_lost(DAMPING)], "the second number is the share that is left, not the one lost."),
-            (
-                [DAMPING, DAMPING / (DAMPING**2 + 3**2)],
-                "lambda over the sum of squares is no share: its unit is that of a speed.",
-            ),
-            ([DAMPING, 3 / (DAMPING**2 + 3**2)], "the second number is the joint speed; the error is asked."),
-        ),
-        hints=(
-            "Section 10 gives the speed and the error over sigma. Where is the speed highest, and how high is it?",
-            "The highest speed is 1/(2 lambda); the share lost is lambda^2/(sigma^2 + lambda^2).",
-        ),
-        explanation="The joint speed is never more than $1/(2\\lambda)$ for 1 unit/s, so "
-        "$\\lambda = 1/(2 \\cdot 0.8) = 0.625$ units per rad. At $\\sigma = 3$ it costs "
-        "$\\lambda^2/(\\sigma^2 + \\lambda^2) = 0.0416$ of the motion, about 4 %.",
-        code="damping = 1 / (2 * 0.8)\nanswer_5 = [damping, damping**2 / (damping**2 + 3**2)]",
-    ),
+    "P3.5": Own(damped, {"limit": (0.8, 0.6, 1.2, 0.02), "sigma": (3, 2, 5, 0.1)}),
 }

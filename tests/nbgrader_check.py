@@ -51,7 +51,8 @@ def check_release(name: str, course: Path) -> None:
             assert cell.source == before.source.replace("check(", "assert_right("), cell.id
             marked += 1
         else:
-            assert cell.source == f"{before.source}\n# Put your answer in place of the dots.", cell.id
+            dots = "= ...\n# Put your answer in place of the dots."
+            assert cell.source == before.source.replace("= ...", dots), cell.id
     assert marked == len(answers(NOTEBOOKS / f"{name}.ipynb"))
 
 

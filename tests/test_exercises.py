@@ -21,21 +21,24 @@ from lynx_common.symbolic import P, Q, numeric, tidy
 CATALOGUE = exercises.catalogue()
 OF_FORMULAS = [name for name, exercise in CATALOGUE.items() if exercise.form.samples]
 OF_CHOICE = [name for name, exercise in CATALOGUE.items() if exercise.choices]
-NUMERIC = [name for name in CATALOGUE if name not in {*OF_FORMULAS, *OF_CHOICE, "P3.4"}]  # P3.4: any of a family
+NUMERIC = [name for name in CATALOGUE if name not in {*OF_FORMULAS, *OF_CHOICE}]
 every_exercise = pytest.mark.parametrize("name", CATALOGUE)
 
 pi = np.pi
 theta_1, theta_2 = Q[:2]
-d_1, L_1, L_2, _ = P
 x, y, z, d_3 = sp.symbols("x y z d_3")  # without the assumptions of the course's symbols: known by their names
+d_1, L_1, L_2 = CATALOGUE["A3.3"].numbers
 C = (x**2 + y**2 - L_1**2 - L_2**2) / (2 * L_1 * L_2)
 CORNER = L_1 + L_2 * sp.exp(sp.I * sp.acos(C))  # of the triangle, along the first link
 MIRRORED = (x**2 + y**2) / CORNER  # its conjugate, to rounding
 SINE, COSINE = (CORNER - MIRRORED) / (2 * sp.I), (CORNER + MIRRORED) / 2
-ELBOW = L_1 * sp.exp(sp.I * theta_1)
-HAND = ELBOW + L_2 * sp.exp(sp.I * (theta_1 + theta_2))
-SCARA = dh.chain([dh.Row(L_1, 0, d_1, theta_1), dh.Row(L_2, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
+ANGLE = sp.atan2(y, x) - sp.atan2(L_2 * sp.sin(sp.acos(C)), L_1 + L_2 * sp.cos(sp.acos(C)))
+COLUMN, INNER, OUTER = CATALOGUE["A1.3"].numbers
+ELBOW = INNER * sp.exp(sp.I * theta_1)
+HAND = ELBOW + OUTER * sp.exp(sp.I * (theta_1 + theta_2))
+SCARA = dh.chain([dh.Row(INNER, 0, COLUMN, theta_1), dh.Row(OUTER, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
 MODES = rrr.inverse_kinematics(part2.POSE)
+FORCE, TIP = np.split(np.array(CATALOGUE["P3.4"].numbers), 2)
 AT_PILLAR = (0.25 + 0.17 + 0.03) / np.hypot(1, 0.2)
 
 
@@ -74,7 +77,7 @@ def formulas_in_any_form(of):
 # Right answers that no other form of the one in the catalogue gives.
 ALSO_RIGHT = {
     "A1.1": [(pi / 2, 0, 0, pi / 2, 1.234), [[-pi / 2, pi, 0, pi / 2, 0]], [1.571, 0, 2 * pi, 1.571, 0]],
-    "A1.3": [SCARA, [sp.re(HAND), sp.im(HAND), d_1 - d_3], sp.expand_trig(tidy(SCARA[:3, 3]))],
+    "A1.3": [SCARA, [sp.re(HAND), sp.im(HAND), COLUMN - d_3], sp.expand_trig(tidy(SCARA[:3, 3]))],
     "A3.1": [[*value("A3.1"), 1], sp.Matrix(dh.trans(*value("A3.1")))],
     "A3.2": [a3.BACK_UP + [0, 0, 2 * pi, 0, 1.2]],
     "A3.3": [
@@ -84,7 +87,7 @@ ALSO_RIGHT = {
             d_1 - z,
         ],
         [
-            sp.Piecewise((sp.atan(y / x), x > 0), (sp.atan(y / x) + sp.pi, True)) + a3.Q_1 - sp.atan2(a3.y, a3.x),
+            sp.Piecewise((sp.atan(y / x), x > 0), (sp.atan(y / x) + sp.pi, True)) + ANGLE - sp.atan2(y, x),
             -sp.I * sp.log(C + sp.I * sp.sqrt(1 - C**2)),
             d_1 - z,
         ],
@@ -96,12 +99,7 @@ ALSO_RIGHT = {
     "B3.3": [2.064],
     "P2.1": [165.2, sp.Matrix([[165.24]])],
     "P2.2": [MODES[5] + np.array([2, -4, 0]) * pi],
-    "P3.4": [
-        [0, 0, 0, 0, -2.5, 0],
-        sp.Matrix([0, 0, 0, 3, 4, 0]),
-        [[0, 0, 0, 0.6, 0.8, 0]],
-        [1e-4, 0, 0, 1, 0, 0],
-    ],
+    "P3.4": [np.cross(TIP, FORCE)[[2, 2, 2, 0, 1, 2]] * [0, 0, 0, 1, 1, 0]],
 }
 
 # Wrong answers that no pair of the catalogue holds as it stands: rivals, patterns, other units, other shapes.
@@ -123,9 +121,9 @@ WRONG = {
         (a1.FOREARM[:3, 3], "4 rows of 4 numbers are expected; 3 numbers were given"),
     ],
     "A1.3": [
-        ([0, a1.scara()[1], d_1], "x is not right, y is right, z is not right"),
-        ([L_1, 0, 0], REST),
-        ([L_1, L_2], "as a list; 2 formulas were given"),
+        ([0, sp.im(HAND), COLUMN], "x is not right, y is right, z is not right"),
+        ([INNER, 0, 0], REST),
+        ([INNER, OUTER], "as a list; 2 formulas were given"),
         ([Q[2], 0, 0], "holds the symbol theta_3"),
         ([ELBOW, 0, 0], "not a real, finite number for some values"),
     ],
@@ -137,7 +135,7 @@ WRONG = {
         ([0.2, 0.2], "one number is expected"),
     ],
     "A2.2": [(a2.REGION.volume * 1000, "right in litres"), (0.15, REST), (0.17, REST)],
-    "A2.3": [(a2.SCARA.area * 150, "right in litres"), (0.2, REST), (0.1, REST)],
+    "A2.3": [(value("A2.3") * 1000, "right in litres"), (0.2, REST), (0.1, REST)],
     "A3.1": [
         ([250, 0, 150], "right in millimetres"),
         ([250, 0, 50], "this is in millimetres, and metres are expected. Besides, this is the gripper"),
@@ -154,10 +152,11 @@ WRONG = {
         (a3.BACK_UP + [pi, 0, 0, 0, 0], REST),
     ],
     "A3.3": [
-        ([a3.Q_1, sp.acos(3 + C), d_1 - z], "not a real, finite number for some values"),
-        ([a3.Q_1, 0, z], "theta_1 is right, theta_2 is not right, d_3 is not right"),
-        ([a3.Q_1 * 180 / sp.pi, a3.Q_2 * 180 / sp.pi, d_1 - z], "right in degrees"),
+        ([ANGLE, sp.acos(3 + C), d_1 - z], "not a real, finite number for some values"),
+        ([ANGLE, 0, z], "theta_1 is right, theta_2 is not right, d_3 is not right"),
+        ([ANGLE * 180 / sp.pi, sp.acos(C) * 180 / sp.pi, d_1 - z], "right in degrees"),
         ([Q[0], 0, 0], "holds the symbol theta_1"),
+        ([0, 0, P[0] - z], "holds the symbol d_1"),
     ],
     "B1.1": [([-82.82, 82.82], "right in degrees"), ([1.4, 1.4], "these are equal"), ([-1.3, 1.4], REST)],
     "B1.2": [(-98.2, "right in degrees"), (b1.ROLL + 0.5, REST), (0, REST)],
@@ -200,12 +199,15 @@ WRONG = {
     "P3.2": [([3, 3, 1, 4], "each of the numbers 1 to 4"), ([2, 3, 1, 4], "2 of the 4 numbers are wrong")],
     "P3.3": [(50.21, "right in degrees"), (0.9763, REST), (0.8, REST)],
     "P3.4": [
-        ([0, 0, 1, 0, 0, 0], "the slide can move along z"),
-        ([0, 0, 1, 1, 0, 0], "the slide can move along z"),
-        ([0, 0, 0, 1, 0, 1], "turn its gripper about z"),
-        ([1, 0, 0, 0, 0, 0], "The force comes first"),
-        ([0, 1, 0, 1, 0, 0], "a level force"),
-        ([1e-5, 0, 0, 1e-4, 0, 0], "a level force"),
+        ([8, 6, 30, 1.2, -2.3, 0.14], "the whole load"),
+        ([0, 0, 30, 1.2, -2.3, 0], "the slide can move along z"),
+        ([0, 0, 0, 1.2, -2.3, 0.14], "turn its gripper about z"),
+        ([8, 6, 0, 1.2, -2.3, 0], "a level force"),
+        ([1.2, -2.3, 0, 0, 0, 0], "the force comes first"),
+        ([0, 0, 0, -1.2, 2.3, 0], "f x r"),
+        ([0, 0, 0, 1.2, 2.3, 0], "but for a sign"),
+        ([0, 0, 0, 1, 0, 0], REST),
+        ([0, 0, 0, 1.2e-5, -2.3e-5, 0], REST),
         ([1, 1, 1, 1, 1, 1], REST),
     ],
     "P3.5": [
@@ -214,6 +216,7 @@ WRONG = {
         ([0.625, 0.0666], "no share"),
         ([0.625, 0.3195], "joint speed"),
         ([0.8, 0.0664], REST),
+        ([0.625, 0.0418], "the damping is right, the share is not right"),
     ],
 }
 

@@ -2,13 +2,15 @@
 
 import json
 import re
+from functools import cache
 
 import numpy as np
 import pytest
 
+from lynx_common import rrr, screws
 from lynx_common.course import exercises
-from lynx_common.course.exercises import reader
-from lynx_common.course.exercises.exercise import RIGHT
+from lynx_common.course.exercises import part2, reader
+from lynx_common.course.exercises.exercise import RIGHT, TOLERANCE
 from lynx_common.errors import LynxError, UnknownNameError, WrongAnswerError
 
 CATALOGUE = exercises.catalogue()
@@ -27,6 +29,11 @@ def nobody(tmp_path, monkeypatch):
     monkeypatch.setattr(reader, "_record", {})
 
 
+@cache
+def for_all_names(name):
+    return [exercises.find(name, student) for student in NAMES]
+
+
 def entry(name):
     return exercises._of(name.partition(".")[0].lower().replace("p", "part"))[name]
 
@@ -38,17 +45,95 @@ def test_every_notebook_has_an_exercise_that_takes_its_numbers_from_the_name():
 
 @own
 def test_for_200_names_the_key_passes_and_no_misconception_is_taken_for_it(name):
-    for student in NAMES:
-        exercise = exercises.find(name, student)
+    for exercise in for_all_names(name):
         assert exercise.judge(exercise.right) == RIGHT, exercise.numbers
         for answer, said in exercise.misconceptions:
             if not callable(answer):
                 assert exercise.judge(answer) == f"not yet: {said}", exercise.numbers
 
 
+# By exercise: how far its numbers are from where the task has no answer, or two; each has to be positive.
+def whole_arm(d_1, L_1, L_2):
+    return min(L_1, L_2) - 0.1, d_1 - 0.2
+
+
+def ring_with_a_gap(L_1, L_2, first, second, slide):
+    """The first joint does not close the ring, and the second leaves a hole in it."""
+    hole = np.sqrt(L_1**2 + L_2**2 + 2 * L_1 * L_2 * np.cos(np.deg2rad(second)))
+    return 150 - first, first - 100, hole - 0.08, slide - 0.05
+
+
+def targets_on_both_sides_of_the_column(d_1, L_1, L_2):
+    return L_2 - L_1 - 0.03, L_1 - 0.15, 0.95 - L_1 / L_2
+
+
+def below_and_within_reach(boom, stick, bucket, joint, depth):
+    return 0.5 - (joint + depth - bucket) / (boom + stick), joint + depth - bucket - 1, depth - bucket - 0.4
+
+
+def neither_folded_nor_stretched(link, start):
+    return 0.85 - start / (2 * link), start / (2 * link) - 0.52
+
+
+def in_the_way_but_not_at_the_ends(distance, pillar, robot, margin, aside):
+    keep = pillar + robot + margin
+    return keep - aside - 0.2, np.hypot(distance / 2, aside) - keep - 0.25
+
+
+def one_loose_pose(r_base, r_platform, S_A, L):
+    """At this turn A is singular in one working mode, and with distal links that point outward in none."""
+    geometry, turn = rrr.Geometry(S_A, L, r_platform, r_base), part2.corner(r_base, r_platform, S_A, L)
+    pose = [0, 0, turn]
+    loose = [np.linalg.det(rrr.jacobians(pose, q, geometry)[0]) for q in rrr.inverse_kinematics(pose, geometry)]
+    return r_base - abs(r_platform - L) - 1.05 * S_A, 0.9 - np.cos(turn), 1e-6 - min(map(abs, loose))
+
+
+def moments_that_count(f_x, f_y, f_z, x, y, z):
+    m = np.cross([x, y, z], [f_x, f_y, f_z])
+    axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])
+    twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])
+    return np.abs(m).min() - 0.02 * np.abs(m).max(), 1e-9 - np.abs(twists.T @ [0, 0, 0, *m[:2], 0]).max()
+
+
+def a_share_that_is_small(limit, sigma):
+    return 0.9 - 1 / (2 * limit), sigma - 1.5
+
+
+MARGINS = {
+    "A1.3": whole_arm,
+    "A2.3": ring_with_a_gap,
+    "A3.3": targets_on_both_sides_of_the_column,
+    "B1.3": below_and_within_reach,
+    "B2.3": neither_folded_nor_stretched,
+    "B3.3": in_the_way_but_not_at_the_ends,
+    "P2.4": one_loose_pose,
+    "P3.4": moments_that_count,
+    "P3.5": a_share_that_is_small,
+}
+
+
+@own
+def test_the_task_is_well_posed_for_200_names_and_as_printed(name):
+    for exercise in [CATALOGUE[name], *for_all_names(name)]:
+        assert min(MARGINS[name](*exercise.numbers)) > 0, exercise.numbers
+
+
+APART = 3  # tolerances, for every name; as printed 2.3 (B3.3)
+
+
+@own
+def test_for_200_names_every_misconception_is_well_beyond_the_tolerance(name):
+    for exercise in for_all_names(name):
+        right = exercise._right[0]
+        for answer, said in exercise._wrong:
+            away = np.abs(answer - right)
+            parts = (away[part].max() / np.abs(right[part]).max() for part in exercise.parts.values())
+            assert max(parts) > APART * TOLERANCE, (exercise.numbers, said)
+
+
 @own
 def test_numbers_are_readable_and_names_mostly_have_different_ones(name):
-    drawn = [exercises.find(name, student).numbers for student in NAMES]
+    drawn = [exercise.numbers for exercise in for_all_names(name)]
     assert all(float(f"{number:.3g}") == number for numbers in drawn for number in numbers)
     assert len({*drawn}) > 0.75 * len(NAMES)
     for numbers in drawn:

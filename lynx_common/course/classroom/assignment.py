@@ -37,9 +37,10 @@ def source(path: Path) -> nbformat.NotebookNode:
         if not (found := CHECK.search(cell.source)):
             continue
         name, answer = found.groups()
-        place = next(before for before in reversed(cells[:number]) if f"{answer} = ..." in before.source)
-        code = exercises.find(name, "").code
-        place.source += f"\n### BEGIN SOLUTION\n{code}\n### END SOLUTION"
+        dots, code = f"{answer} = ...", exercises.find(name, "").code
+        place = next(before for before in reversed(cells[:number]) if dots in before.source)
+        solved = f"{dots}\n### BEGIN SOLUTION\n{code}\n### END SOLUTION"
+        place.source = place.source.replace(dots, solved)
         _mark(place, f"{name}-answer", solution=True)
         cell.source = cell.source.replace("exercises.check(", "exercises.assert_right(")
         cell.outputs, cell.execution_count = [], None

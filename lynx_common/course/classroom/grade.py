@@ -28,8 +28,8 @@ from . import answers
 from .plain import decode
 
 FILE = ROOT / "build" / "grades.csv"
-SECONDS = 120  # of computing, for a notebook; the slowest needs 14
-WAIT = 600  # seconds in all: for one that sleeps, and on Windows
+SECONDS = 60  # of computing, for a notebook; the slowest needs 14
+WAIT = 300  # seconds in all: for one that sleeps, and on Windows
 BYTES = 4 * 2**30
 WARNING = "This is no sandbox: each notebook runs with your rights, and can read and change what you can."
 

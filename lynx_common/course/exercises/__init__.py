@@ -64,7 +64,7 @@ def hint(name: str, number: int = 1) -> None:
         if not isinstance(number, int) or not 1 <= number <= count:
             return f'{key} has hints 1 to {count}; beyond them there is exercises.solution("{key}").'
         more = f' (More: exercises.hint("{key}", {number + 1}))' if number < count else ""
-        reader.note(key, hint=number)
+        reader.note(key, hint=int(number))
         return f"{key}, hint {number} of {count}: {exercise.hints[number - 1]}{more}"
 
     _say(name, said)

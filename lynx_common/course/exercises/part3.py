@@ -1,11 +1,9 @@
 """Exercises of Part 3: ranks, an order of postures, a wrist of three axes, what a structure carries, damping."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from .answers import Form
-from .exercise import TOLERANCE, Exercise
+from .exercise import Exercise
 from .reader import Own
 
 # P3.1: five postures (theta_2, theta_3) in degrees; ranks of the position's Jacobian, and of the whole one.
@@ -31,17 +29,49 @@ LEAST = 0.6
 LEAN = float(np.arccos(1 - LEAST**2))
 
 
-# P3.4: a SCARA arm carries couples about level axes, and no other wrench (f, m).
-def shares(wrench: np.ndarray) -> np.ndarray:
-    """What loads its motors, and what does not, as shares of the whole: f_x, f_y, f_z, m_z and (m_x, m_y)."""
-    *force, m_x, m_y, m_z = wrench
-    size = np.linalg.norm(wrench)
-    return np.array([*force, m_z, np.hypot(m_x, m_y)]) / (size if size else 1.0)
-
-
-def only(*places: int) -> Callable[[np.ndarray], bool]:
-    """Whether the motors are loaded by these entries, and by no other."""
-    return lambda wrench: {*np.flatnonzero(np.abs(shares(wrench)[:4]) > TOLERANCE)} == {*places}
+# P3.4: what a SCARA arm carries without any motor.
+def carried(f_x: float, f_y: float, f_z: float, x: float, y: float, z: float) -> Exercise:
+    """P3.4, for a force, in N, and the point of the tool that it acts on, seen from the gripper, in metres."""
+    m_x, m_y, m_z = np.cross([x, y, z], [f_x, f_y, f_z])
+    return Exercise(
+        form=Form((6,)),
+        right=[0, 0, 0, m_x, m_y, 0],
+        misconceptions=(
+            ([f_x, f_y, f_z, m_x, m_y, m_z], "this is the whole load; a part of it is held by motors."),
+            ([f_x, f_y, f_z, 0, 0, m_z], "this is what the motors hold; what they need not hold is asked for."),
+            ([f_x, f_y, f_z, 0, 0, 0], "motors hold a force; and the force has a moment about the gripper."),
+            ([0, 0, 0, 0, 0, 0], "some part of this load is carried; which motions can the arm not make?"),
+            (
+                [0, 0, f_z, m_x, m_y, 0],
+                "the slide can move along z, so its motor has to hold a force along z.",
+            ),
+            (
+                [0, 0, 0, m_x, m_y, m_z],
+                "the arm can turn its gripper about z, so a motor has to hold a moment about z.",
+            ),
+            (
+                [f_x, f_y, 0, m_x, m_y, 0],
+                "the arm can move its gripper level, so motors have to hold a level force.",
+            ),
+            ([m_x, m_y, 0, 0, 0, 0], "the moment is written first; the force comes first."),
+            ([0, 0, 0, -m_x, -m_y, 0], "this takes f x r for the moment; it is r x f."),
+        ),
+        hints=(
+            "Which motions can the four joints make together? Three parallel axes make a plane motion.",
+            "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z. "
+            "The moment of the load is r x f.",
+        ),
+        explanation="Three vertical axes move the gripper in the level plane and turn it about the vertical; the "
+        "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and "
+        "$f \\cdot v + m \\cdot \\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are "
+        "couples about level axes, $(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the gripper over. "
+        f"Here it is $m = r \\times f = ({m_x:.4g}, {m_y:.4g}, {m_z:.4g})$ Nm.",
+        code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
+        "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
+        f"force, tip = [{f_x:g}, {f_y:g}, {f_z:g}], [{x:g}, {y:g}, {z:g}]\n"
+        "load, free = np.append(force, np.cross(tip, force)), screws.reciprocal_system(twists)\n"
+        "answer_4 = free @ np.linalg.lstsq(free, load)[0]  # the part of the load that the columns of free span",
+    )
 
 
 def damped(limit: float, sigma: float) -> Exercise:
@@ -180,34 +210,16 @@ EXERCISES = {
         "The determinant there is $\\sin\\beta = 0.77$.",
         code="answer_3 = np.arccos(1 - 0.6**2)",
     ),
-    "P3.4": Exercise(
-        form=Form((6,)),
-        right=[0, 0, 0, 1, 0, 0],
-        counts=shares,
-        misconceptions=(
-            ([0, 0, 0, 0, 0, 0], "every arm carries a wrench of zeros; another one is asked for."),
-            (only(2), "the slide can move along z, so its motor has to hold a force along z."),
-            (only(3), "the arm can turn its gripper about z, so a motor has to hold a moment about z."),
-            *(
-                (
-                    only(*places),
-                    "the arm can move its gripper level, so motors have to hold a level force. Or did you write "
-                    "the moment first? The force comes first.",
-                )
-                for places in ((0,), (1,), (0, 1))
-            ),
-        ),
-        hints=(
-            "Which motions can the four joints make together? Three parallel axes make a plane motion.",
-            "The power f . v + m . omega has to be zero for v along x, y and z, and for a turn about z.",
-        ),
-        explanation="Three vertical axes move the gripper in the level plane and turn it about the vertical; the "
-        "slide adds the third direction. So $v$ may be anything and $\\omega$ is vertical, and "
-        "$f \\cdot v + m \\cdot \\omega$ is zero for all of them only if $f = 0$ and $m_z = 0$. What is left are "
-        "couples about level axes, $(0, 0, 0, m_x, m_y, 0)$: the bearings carry what would tip the gripper over.",
-        code="axes = screws.revolute([0, 0, 1], [[0, 0, 0], [0.3, 0, 0], [0.5, 0.2, 0]])\n"
-        "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
-        "answer_4 = screws.reciprocal_system(twists)[:, 0]",
+    "P3.4": Own(
+        carried,
+        {
+            "f_x": (8, 5, 9, 1),
+            "f_y": (6, 6, 9, 1),
+            "f_z": (30, 20, 40, 1),
+            "x": (0.05, 0.05, 0.08, 0.01),
+            "y": (0.02, 0.01, 0.02, 0.005),
+            "z": (-0.1, -0.12, -0.08, 0.01),
+        },
     ),
     "P3.5": Own(damped, {"limit": (0.8, 0.6, 1.2, 0.02), "sigma": (3, 2, 5, 0.1)}),
 }

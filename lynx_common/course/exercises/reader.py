@@ -68,7 +68,7 @@ class Own:
             round(least + step * (word % (round((largest - least) / step) + 1)), 6) if of else printed
             for word, (printed, least, largest, step) in zip(words, self.drawn.values(), strict=True)
         ]
-        return namedtuple("Numbers", self.drawn)(*values)  # type: ignore[misc]
+        return namedtuple("Numbers", self.drawn)._make(values)  # type: ignore[misc, attr-defined]
 
     def exercise(self, key: str, of: str) -> Exercise:
         numbers = self.numbers(key, of)

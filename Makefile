@@ -44,6 +44,18 @@ browser: .venv/ready .venv-browser/ready site  ## move stages in a real Chromium
 	  .venv-browser/bin/python tests/browser_check.py $$notebook || exit 1; done
 	.venv-browser/bin/python tests/site_check.py
 
+assignment: .venv/ready  ## write the course as nbgrader's source notebooks, in build/assignment
+	@$(VENV)/python -m lynx_common.course.classroom.assignment
+
+grade: .venv/ready  ## grade notebooks without nbgrader: DIR=submissions, one folder a student; to build/grades.csv
+	@$(VENV)/python -m lynx_common.course.classroom.grade "$(DIR)"
+
+key: .venv/ready  ## write the answers to all exercises to build/key.csv (NAMES=names.txt: for these students)
+	@$(VENV)/python -m lynx_common.course.classroom.key "$(NAMES)"
+
+nbgrader: .venv-nbgrader/ready  ## set two notebooks to a class with the real nbgrader, and compare the scores
+	.venv-nbgrader/bin/python tests/nbgrader_check.py
+
 clean:  ## remove what was made here, except work/
 	rm -rf .venv* figures build *.egg-info .pytest_cache .ruff_cache .hypothesis .benchmarks
 	find lynx_common tests notebooks \( -name __pycache__ -o -name .ipynb_checkpoints \) -prune -exec rm -rf {} +
@@ -51,6 +63,7 @@ clean:  ## remove what was made here, except work/
 .venv/ready: requirements.txt pyproject.toml
 .venv-browser/ready: requirements-browser.txt
 .venv-bench/ready: requirements-bench.txt requirements.txt pyproject.toml
+.venv-nbgrader/ready: requirements-nbgrader.txt requirements.txt pyproject.toml
 .venv-site/ready: requirements-site.txt
 
 # An environment that was moved, or whose Python is gone, is made anew: `ready` holds the place where it was made.
@@ -71,4 +84,4 @@ $(foreach ready,$(wildcard .venv*/ready),$(shell \
 	@[ $* != .venv ] || MPLCONFIGDIR=$*/matplotlib $*/bin/python -c "import matplotlib.font_manager"
 	@printf %s "$$PWD" >$@
 
-.PHONY: help lab test lint figures notebooks site bench browser clean
+.PHONY: help lab test lint figures notebooks site bench browser assignment grade key nbgrader clean

@@ -206,7 +206,7 @@ EXERCISES = {
             ),
             (
                 lambda x: close(x[1], PLATFORM * LITTLE),
-                "this is the way of PP_i; at first it runs square to the link, whose length grows by second order.",
+                "this is the way of PP_i; it runs square to the link, which grows by second order.",
             ),
             (lambda x: close(x[1], third(PLATFORM, PLATFORM + DISTAL, 2) - DISTAL), "cos takes radians; convert."),
             (
@@ -218,9 +218,9 @@ EXERCISES = {
             "For (a) S_A has to be the distance d of section 7. For (b) draw the triangle of C, PP_i and M_i.",
             "(a) is the law of cosines with r_base and r_platform. In (b) M_i is 250 mm from C, and PP_i 100 mm.",
         ),
-        explanation="(a) $S_A = d$ with $d^2 = 300^2 + 100^2 - 2 \\cdot 300 \\cdot 100 \\cos 60° = 70000$, so "
-        "264.6 mm. (b) $\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm. The first is a "
-        "finite motion; the second gives way by a tenth of a millimetre, and by four times less for half the turn.",
+        explanation="(a) $S_A = d$ with $d^2 = 300^2 + 100^2 - 2 \\cdot 300 \\cdot 100 \\cos 60° = 70000$, "
+        "so 264.6 mm. (b) $\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm. The "
+        "first is a finite motion; the second is stopped by a tenth of a millimetre.",
         code="d_60 = np.sqrt(300**2 + 100**2 - 2 * 300 * 100 * np.cos(np.deg2rad(60)))\n"
         "link = np.sqrt(100**2 + 250**2 - 2 * 100 * 250 * np.cos(np.deg2rad(2)))\n"
         "answer_6 = [d_60, link - 150]",
@@ -241,11 +241,11 @@ EXERCISES = {
         ),
         hints=(
             "Work in equals work out in every motion: torques times motor speeds are the force times that of C.",
-            "The pose has a third coordinate, for which no moment stands: tau is (A^-1 B)^T times (6, -8, 0).",
+            "The pose has a third coordinate, with no moment: tau is (A^-1 B)^T times (6, -8, 0).",
         ),
-        explanation="$\\tau = (A^{-1}B)^T (6, -8, 0)^T$. In two steps: $A^T \\lambda = (6, -8, 0)^T$ are the three "
-        "equations of statics of the platform, where $L\\lambda_i$ is the force along distal link $i$; and motor $i$ "
-        "holds its own link, $\\tau_i = B_{ii}\\lambda_i$.",
+        explanation="$\\tau = (A^{-1}B)^T (6, -8, 0)^T$. In two steps: $A^T \\lambda = (6, -8, 0)^T$ are the "
+        "three equations of statics of the platform, with $L\\lambda_i$ the force along distal link $i$; motor "
+        "$i$ holds its own link, $\\tau_i = B_{ii}\\lambda_i$.",
         code="at = [30, -40, 0.2]\n"
         "A_7, B_7 = rrr.jacobians(at, rrr.inverse_kinematics(at)[0])\n"
         "answer_7 = B_7 @ np.linalg.solve(A_7.T, [6, -8, 0])",

@@ -39,6 +39,7 @@ HAND = ELBOW + OUTER * sp.exp(sp.I * (theta_1 + theta_2))
 SCARA = dh.chain([dh.Row(INNER, 0, COLUMN, theta_1), dh.Row(OUTER, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
 MODES = rrr.inverse_kinematics(part2.POSE)
 FORCE, TIP = np.split(np.array(CATALOGUE["P3.4"].numbers), 2)
+CARRIED, LONGER = part2.CARRIED, part2.LONGER
 AT_PILLAR = (0.25 + 0.17 + 0.03) / np.hypot(1, 0.2)
 
 
@@ -190,6 +191,30 @@ WRONG = {
     ],
     "P2.3": [(0.23, "right in metres"), (200, REST), (240, REST)],
     "P2.4": [(41.41, "right in degrees"), (1, REST), (0.7, REST)],
+    "P2.5": [
+        ([-62.51, 62.51], "right in degrees"),
+        ([1.091, 1.091], "these are equal"),
+        ([-1, 1], REST),
+        ([-1.2, 1.2], REST),
+    ],
+    "P2.6": [
+        ([0.26458, 0.0001015], "right in metres"),
+        ([CARRIED - 150, LONGER], "the legs are stretched"),
+        ([np.sqrt(1e5), LONGER], "a turn of 90 deg"),
+        ([200, LONGER], "a turn of 0"),
+        ([np.sqrt(1.3e5), LONGER], "mind the sign"),
+        ([CARRIED, 3.4907], "the way of PP_i"),
+        ([CARRIED, part2.third(100, 250, 2) - 150], "cos takes radians"),
+        ([CARRIED, 150.1015], "how long the links would be"),
+        ([CARRIED, 0.05], "S_A is right, the lengthening is not right"),
+        ([170, LONGER], "S_A is not right, the lengthening is right"),
+        ([260, 0.2], REST),
+    ],
+    "P2.7": [
+        (-part2.TORQUES, "but for a sign"),
+        ([1000, 500, 100], REST),
+        ([600, -800, 0], REST),
+    ],
     "P3.1": [
         ([[2, 2, 1, 1, 3], [4, 3, 4, 4, 3]], "5 of the 10 numbers are wrong"),
         ([[2, 2, 1, 2, 3], [3, 4, 3, 4, 4]], "2 of the 10 numbers are wrong"),

@@ -1,10 +1,11 @@
-"""Exercises of Part 2, the parallel robot: a leg's span, motor angles of a mode, a full turn, a loose platform."""
+"""Exercises of Part 2, the parallel robot: a leg's span, motor angles of a mode, a full turn, assembly modes, a
+self-motion and its neighbour of second order, a force at the needle, and a loose platform."""
 
 import numpy as np
 
 from ... import rrr
 from .answers import Form
-from .exercise import Exercise
+from .exercise import TOLERANCE, Exercise
 from .reader import Own
 
 # P2.1 and P2.2: the report's robot at this pose.
@@ -70,6 +71,47 @@ def loose_platform(r_base: int, r_platform: int, S_A: int, L: int) -> Exercise:
         code=f"answer_4 = np.arccos(({r_base}**2 + {elbow}**2 - {S_A}**2) / (2 * {r_base} * {elbow}))",
     )
 
+
+# P2.5: driven links that point at the middle end S_A short of it; the corners are M_i, PP_i and the middle.
+BOTH = np.array([-1, 1])
+
+
+def assembled(elbow: float, distal: float = rrr.RRR.L, platform: float = rrr.RRR.r_platform) -> np.ndarray:
+    """The two turns, for elbows so far from the middle: the angle there in the triangle of elbow and joint."""
+    return BOTH * float(np.arccos((elbow**2 + platform**2 - distal**2) / (2 * elbow * platform)))
+
+
+ELBOW = rrr.RRR.r_base - rrr.RRR.S_A
+POINTED = assembled(ELBOW)
+# P2.6: the printed robot of P2.4, at a turn of 60 deg; then 2 deg from in line.
+BASE, PLATFORM, DISTAL = 300, 100, 150
+CIRCLING, LITTLE = np.deg2rad(60), np.deg2rad(2)
+
+
+def third(one: float, other: float, angle: float) -> float:
+    """The side of a triangle opposite to the angle between two sides."""
+    return float(np.sqrt(one**2 + other**2 - 2 * one * other * np.cos(angle)))
+
+
+CARRIED = third(BASE, PLATFORM, CIRCLING)
+LONGER = third(PLATFORM, PLATFORM + DISTAL, LITTLE) - DISTAL
+
+
+def close(x: float, known: float) -> bool:
+    """To four significant digits."""
+    return abs(x - known) <= TOLERANCE * abs(known)
+
+
+# P2.7: the force, and the Jacobian of the pose.
+PUSH, NEEDLE = np.array([6, -8, 0]), [30, -40, 0.2]
+
+
+def motion(mode: int = 0) -> np.ndarray:
+    """A^-1 B."""
+    return np.linalg.solve(*rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[mode]))
+
+
+TORQUES = PUSH @ motion()
 
 EXERCISES = {
     "P2.1": Exercise(
@@ -152,6 +194,93 @@ EXERCISES = {
         explanation="The span runs from $r_{base} - r_{platform} = 150$ mm to $r_{base} + r_{platform} = 350$ mm. "
         "So $S_A + L \\ge 350$, which makes $L \\ge 230$ mm; and $|S_A - L| \\le 150$ holds for it, $110$.",
         code="r_base, r_platform, S_A = 250, 100, 120\nanswer_3 = r_base + r_platform - S_A",
+    ),
+    "P2.5": Exercise(
+        form=Form((2,)),
+        unit="radians",
+        right=POINTED,
+        misconceptions=(
+            (POINTED[::-1], "the smaller comes first."),
+            (assembled(rrr.RRR.S_A), "S_A is counted from the motor; how far are the elbows from the middle?"),
+            (
+                assembled(rrr.RRR.r_base - rrr.RRR.L, rrr.RRR.S_A),
+                "the links are exchanged: the driven one is 170 mm.",
+            ),
+            (
+                BOTH * corner(290, 130, 170, 130),
+                "this is the pose of type 2, with M_i, PP_i and C in line; the motors then do not point inwards.",
+            ),
+            (BOTH * np.pi - POINTED, "this is the angle beside the one at the middle."),
+            (lambda x: x[0] == x[1], "these are equal; the two are each other's mirror images."),
+        ),
+        hints=(
+            "Where are the elbows? On the lines from the middle to the motors, 290 - 170 mm from the middle.",
+            "The middle, M_i and PP_i are corners of a triangle whose sides are 120, 130 and 130 mm.",
+        ),
+        explanation="The elbows are $290 - 170 = 120$ mm from the middle, in the directions of the motors, and "
+        "$PP_i$ is 130 mm from it, turned by $\\alpha$ against them. The distal link closes the triangle: "
+        "$\\cos\\alpha = (120^2 + 130^2 - 130^2) / (2 \\cdot 120 \\cdot 130) = 6/13$, so "
+        "$\\alpha = \\pm 62.51°$. At one the legs all bend to the left, at the other all to the right.",
+        code="tilt = np.arccos((120**2 + 130**2 - 130**2) / (2 * 120 * 130))\nanswer_5 = [-tilt, tilt]",
+    ),
+    "P2.6": Exercise(
+        form=Form((2,)),
+        unit="millimetres",
+        right=[CARRIED, LONGER],
+        parts={"S_A is": 0, "the lengthening is": 1},
+        misconceptions=(
+            (lambda x: close(x[0], CARRIED - DISTAL), "with this S_A the legs are stretched at 60 deg."),
+            (lambda x: close(x[0], np.hypot(BASE, PLATFORM)), "this S_A belongs to a turn of 90 deg."),
+            (lambda x: close(x[0], BASE - PLATFORM), "this S_A belongs to a turn of 0."),
+            (
+                lambda x: close(x[0], third(BASE, PLATFORM, np.pi - CIRCLING)),
+                "mind the sign in the law of cosines.",
+            ),
+            (
+                lambda x: close(x[1], PLATFORM * LITTLE),
+                "this is the way of PP_i; it runs square to the link, which grows by second order.",
+            ),
+            (lambda x: close(x[1], third(PLATFORM, PLATFORM + DISTAL, 2) - DISTAL), "cos takes radians; convert."),
+            (
+                lambda x: close(x[1], LONGER + DISTAL),
+                "this is how long the links would be; by how much longer was asked.",
+            ),
+        ),
+        hints=(
+            "For (a) S_A has to be the distance d of section 7. For (b) draw the triangle of C, PP_i and M_i.",
+            "(a) is the law of cosines with r_base and r_platform. In (b) M_i is 250 mm from C, and PP_i 100 mm.",
+        ),
+        explanation="(a) $S_A = d$ with $d^2 = 300^2 + 100^2 - 2 \\cdot 300 \\cdot 100 \\cos 60° = 70000$, "
+        "so 264.6 mm. (b) $\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm. The "
+        "first is a finite motion; the second is stopped by a tenth of a millimetre.",
+        code="d_60 = np.sqrt(300**2 + 100**2 - 2 * 300 * 100 * np.cos(np.deg2rad(60)))\n"
+        "link = np.sqrt(100**2 + 250**2 - 2 * 100 * 250 * np.cos(np.deg2rad(2)))\n"
+        "answer_6 = [d_60, link - 150]",
+    ),
+    "P2.7": Exercise(
+        form=Form((3,)),
+        right=TORQUES,
+        misconceptions=(
+            (TORQUES / 1000, "this is right in N m; N mm are expected."),
+            (motion() @ PUSH, "A^-1 B takes motor speeds to speeds of the pose; for torques it is transposed."),
+            (PUSH @ np.linalg.inv(motion()), "this is B^-1 A; torques take the transpose of A^-1 B."),
+            (PUSH @ motion(7), "here all legs bend to the right."),
+            ([-8, 6, 0] @ motion(), "the force's components are exchanged."),
+            (
+                PUSH @ rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[0])[0],
+                "B is left out, and A not inverted.",
+            ),
+        ),
+        hints=(
+            "Work in equals work out in every motion: torques times motor speeds are the force times that of C.",
+            "The pose has a third coordinate, with no moment: tau is (A^-1 B)^T times (6, -8, 0).",
+        ),
+        explanation="$\\tau = (A^{-1}B)^T (6, -8, 0)^T$. In two steps: $A^T \\lambda = (6, -8, 0)^T$ are the "
+        "three equations of statics of the platform, with $L\\lambda_i$ the force along distal link $i$; motor "
+        "$i$ holds its own link, $\\tau_i = B_{ii}\\lambda_i$.",
+        code="at = [30, -40, 0.2]\n"
+        "A_7, B_7 = rrr.jacobians(at, rrr.inverse_kinematics(at)[0])\n"
+        "answer_7 = B_7 @ np.linalg.solve(A_7.T, [6, -8, 0])",
     ),
     "P2.4": Own(
         loose_platform,

@@ -25,7 +25,7 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 	@$(VENV)/python -m lynx_common.course.execute notebooks
 
 site: .venv-site/ready  ## build the course as a web page that needs no server, in build/site
-	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site notebooks build/site
+	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site -d build/doctrees notebooks build/site
 	@echo "Open build/site/index.html in a browser."
 
 bench: .venv-bench/ready  ## measure speed and memory, also against other packages

@@ -41,6 +41,7 @@ mathjax_path = "tex-svg-full.js"
 mathjax3_config = {"options": {"enableMenu": False}}  # whose entries would load more
 
 html_theme = "furo"
+pygments_dark_style = "github-dark"
 html_theme_options = {"top_of_page_buttons": []}
 templates_path = ["templates"]
 html_additional_pages = {"index": "front.html"}
@@ -91,8 +92,10 @@ def plain(latex):
 
 
 LOW = {ord("0") + digit: chr(ord("₀") + digit) for digit in range(10)}
-SIGNS = dict(times="×", cdot="·", pm="±", le="≤", ge="≥", leq="≤", geq="≥", circ="°", in_="∈", to="→", infty="∞")
-SIGNS |= dict(approx="≈", ne="≠", varphi="φ", sin="sin ", cos="cos ", atan2="atan2", det="det ", left="", right="")
+SIGNS = {"cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "leq": "≤", "geq": "≥", "circ": "°", "in": "∈", "to": "→"}
+SIGNS |= {"infty": "∞", "approx": "≈", "ne": "≠", "varphi": "φ"}
+SIGNS |= {"times": "\N{MULTIPLICATION SIGN}", "left": "", "right": ""}
+SIGNS |= {name: f"{name} " for name in ("sin", "cos", "tan", "atan", "det", "max", "min")}
 
 
 def sign(macro):
@@ -160,7 +163,8 @@ def keep_words(app, _):
 def open_code(self, node):
     """Code that draws is there for those who ask for it; all other code, until somebody hides it."""
     drawing = "tag_drawing" in node.parent["classes"]
-    self.body.append(f'<details class="code{" drawing" * drawing}"{" open" * (not drawing)}><summary>Code</summary>')
+    kind = 'class="code drawing"' if drawing else 'class="code" open'
+    self.body.append(f"<details {kind}><summary>Code</summary>")
 
 
 def close_code(self, node):

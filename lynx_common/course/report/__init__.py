@@ -88,7 +88,7 @@ def summary(notebook: str) -> Markdown:
 
 
 def ledger() -> Markdown:
-    """All items, by notebook, each with a link to the cell that checks it, in a notebook beside the one that asks."""
+    """All items, by notebook; each links to the cell that checks it, in a notebook beside the one that asks."""
     return _folded(LEDGER.values(), lambda items: _table(items, linked=True), "item")
 
 

@@ -1,4 +1,4 @@
-"""Read the built site in a real Chromium that reaches no other machine: every page, link, button and slider; on paper, too.
+"""Read the built site in a real Chromium that reaches no other machine: each page, link and slider; on paper, too.
 
 Run by `make browser`, not by pytest. It opens build/site, as `make site` leaves it, without a server. What is
 printed of the pages goes to build/paper.
@@ -31,10 +31,13 @@ LINKS = "[...document.querySelectorAll('a[href]')].map(a => a.href)"
 ALL_TYPESET = f"{MATHEMATICS} >= {MATHEMATICS_WANTED}"
 DRAWN = "[...document.querySelectorAll('canvas')].map(c => c.toDataURL()).join()"
 OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
-CUT_OFF = """scrolls => [...document.querySelectorAll("article *:not(iframe):not(mjx-container *)")]
-    .filter(e => e.clientWidth && e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== "inline"
-        && !(scrolls && e.closest("pre, .highlight, .math, .table-wrapper, mjx-container")))
-    .map(e => e.tagName + "." + e.className + " " + e.textContent.trim().slice(0, 60))"""
+# What is wider than its place and cannot be scrolled; on paper nothing can.
+CUT_OFF = """onPaper => [...document.querySelectorAll("article *:not(iframe):not(mjx-container *)")].filter(e => {
+    const {overflowX} = getComputedStyle(e), {right, width} = e.getBoundingClientRect();
+    const cut = onPaper ? overflowX !== "visible" : overflowX === "hidden" || overflowX === "clip";
+    const inside = !onPaper && e.parentNode.closest("pre, .highlight, .math, .table-wrapper");
+    return cut && e.scrollWidth > e.clientWidth + 1 || !inside && width > 1 && right > innerWidth + 10;
+}).map(e => e.tagName + " " + e.textContent.trim().slice(0, 60))"""
 OVERLAP = """[...document.querySelectorAll("article section > *, .cell > *")].filter(e => {
     const next = e.nextElementSibling?.getBoundingClientRect(), own = e.getBoundingClientRect();
     return next?.height && own.height && getComputedStyle(e).float === "none" && next.top < own.bottom - 2;
@@ -79,7 +82,7 @@ def main() -> int:
 def check(page: Page) -> list[str]:
     """What fails on any page, a sentence each."""
     failures, links, moved = [], set(), 0
-    for path in sorted(SITE.glob("*.html")):
+    for path in sorted(SITE / name for name in sys.argv[1:]) or sorted(SITE.glob("*.html")):
         page.goto(path.as_uri())
         page.wait_for_load_state("load")
         found = mathematics(page)
@@ -189,17 +192,17 @@ def printed(page: Page, name: str) -> list[str]:
     )
     page.pdf(path=PAPER / f"{name}.pdf", format="A4", prefer_css_page_size=True)
     faults = [] if page.evaluate("window.told") else ["the page is not told that it is printed"]
-    page.emulate_media(media="print")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
     page.wait_for_timeout(200)
     stills, stages = page.evaluate(STILLS), page.evaluate(f"{STAGES}.length")
     faults += [f"pictures of {stages} stages on paper: {stills}"] * (len(stills) != stages or 0 in stills)
     faults += ["a stage is printed as it is"] * page.evaluate(f"{STAGES}.some(stage => stage.checkVisibility())")
-    faults += [f"cut off on paper: {what}" for what in page.evaluate(CUT_OFF, False)]
+    faults += [f"cut off on paper: {what}" for what in page.evaluate(CUT_OFF, True)]
     faults += [f"something lies upon another on paper: {what}" for what in page.evaluate(OVERLAP)]
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     faults += ["pictures of stages stay after printing"] * len(page.evaluate(STILLS))
-    page.emulate_media(media="screen")
+    page.emulate_media(media="null")
     page.set_viewport_size({"width": 1400, "height": 1000})
     return faults
 
@@ -239,7 +242,7 @@ def still(frame: Frame) -> list[str]:
     """The sliders of a stage that leave its drawing as it is; and a motion that runs out of sight."""
     failures = []
     play = frame.query_selector("#play")
-    if play.is_visible() and not frame.evaluate("challenges.length"):
+    if play.is_visible() and not frame.evaluate("challenges.length") and frame.page.query_selector("#hide"):
         failures = runs_where_seen(frame)
         play.click()
     sliders = [slider for slider in frame.query_selector_all("input[type=range]") if slider.is_visible()]
@@ -260,7 +263,7 @@ def dressed(page: Page, stages: list[Frame]) -> list[str]:
         page.set_viewport_size({"width": width, "height": 844})
         page.wait_for_timeout(150)
         faults += [f"the page is too wide at {width}"] * (page.evaluate(OVERFLOW) > 0)
-        faults += [f"cut off at {width}: {what}" for what in page.evaluate(CUT_OFF, True)]
+        faults += [f"cut off at {width}: {what}" for what in page.evaluate(CUT_OFF, False)]
         faults += [f"a stage is too wide at {width}" for stage in stages if stage.evaluate(OVERFLOW) > 0]
     for theme in ("dark", "light"):
         page.evaluate(f"document.body.dataset.theme = '{theme}'")

@@ -34,7 +34,7 @@ addEventListener("beforeprint", () => {
     }
     still.append(...[...seen.querySelectorAll("#words > div")].map(line => {
       const words = document.createElement("p");
-      words.textContent = line.textContent;
+      Object.assign(words, {textContent: line.textContent, className: line.className});
       return words;
     }));
     frame.after(still);

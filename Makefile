@@ -31,7 +31,8 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 
 site: .venv-site/ready $(if $(ARM),.venv/ready)  ## build the course as a web page that needs no server, in build/site
 	@$(if $(ARM),$(VENV)/python -m lynx_common.course.execute copies "build/notebooks$(OWN)")
-	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site "$(if $(ARM),build/)notebooks$(OWN)" "build/site$(OWN)"
+	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site -d "build/doctrees$(OWN)" \
+	  "$(if $(ARM),build/)notebooks$(OWN)" "build/site$(OWN)"
 	@echo "Open build/site$(OWN)/index.html in a browser."
 
 bench: .venv-bench/ready  ## measure speed and memory, also against other packages

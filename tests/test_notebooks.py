@@ -1,5 +1,6 @@
 """The checks on the notebooks can fail, and the executor's work is the same every time."""
 
+import ast
 import base64
 import io
 import json
@@ -271,6 +272,58 @@ def test_a_cell_fits_the_eye_and_links_lead_somewhere(path):
         assert max(map(len, lines), default=0) <= 115, cell.id
     words = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     assert [link for link in re.findall(r"\]\(([^)#:]+)\)", words) if not (NOTEBOOKS / link).exists()] == []
+
+
+@pytest.mark.parametrize("path", sorted(NOTEBOOKS.glob("*.ipynb")), ids=lambda path: path.stem)
+def test_a_cell_that_only_draws_is_tagged_as_a_drawing(path):
+    """The site folds the code of those cells, and of no others."""
+    cells = code_cells(nbformat.read(path, as_version=4))
+    tagged = [cell.id for cell in cells if "drawing" in cell.metadata.get("tags", [])]
+    assert tagged == [cell.id for i, cell in enumerate(cells) if only_draws(cell.source, cells[i + 1 :])]
+
+
+def only_draws(source: str, later: list) -> bool:
+    """Whether a cell shows figures, settles nothing, and leaves no name that a later cell reads."""
+    tree, kept = ast.parse(source), names(source, ast.Store)
+    called = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    if not called & {"figures.show", "figures.publish"} or called & {
+        "report.check",
+        "report.printed",
+        "figures.movie",
+    }:
+        return False
+    for cell in later:
+        made = names(cell.source, ast.Store)
+        if kept & names(cell.source, ast.Load) - made:
+            return False
+        kept = kept - made
+    return not any(isinstance(node, ast.Assert) for node in ast.walk(tree))
+
+
+def names(source: str, context: type) -> set[str]:
+    """The names that a cell makes (ast.Store) or reads (ast.Load)."""
+    nodes = list(ast.walk(ast.parse(source)))
+    made = {
+        n.name if isinstance(n, ast.FunctionDef) else n.arg
+        for n in nodes
+        if isinstance(n, ast.FunctionDef | ast.arg)
+    }
+    found = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, context)}
+    return found | made if context is ast.Store else found
+
+
+@pytest.mark.parametrize(
+    ("source", "later"),
+    [
+        ("figures.show(fig, 'x')\nassert True", ""),
+        ("report.check('Fig. 1.2', q)\nfigures.publish(fig, '1.2')", ""),
+        ("q = 1\nfigures.show(fig, 'x')", "q + 1"),
+        ("def f(): ...\nfigures.show(fig, 'x')", "f()"),
+        ("q = 1", ""),
+    ],
+)
+def test_a_cell_that_does_more_than_draw_is_no_drawing(source, later):
+    assert not only_draws(source, [new_code_cell("1"), new_code_cell(later)])
 
 
 def test_stored_pictures_have_256_colours_and_the_course_is_small():

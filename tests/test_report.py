@@ -289,8 +289,9 @@ def test_the_ledger_links_to_the_cell_that_checks_an_item(monkeypatch):
 
 def test_the_errata_are_what_is_printed_why_it_cannot_be_and_what_holds(monkeypatch):
     monkeypatch.chdir(NOTEBOOKS)
-    header, _, *rows = report.errata().data.splitlines()
-    assert header == "| item | printed | why it cannot be | what holds |"
+    lines = [line for line in report.errata().data.splitlines() if line.startswith("| ")]
+    rows = [line for line in lines if line != "| item | printed | why it cannot be | what holds |"]
+    assert len(lines) - len(rows) == 8  # notebooks
     assert all(row.count("|") == 5 for row in rows)
     cells = {row.split("]")[0][3:].replace("&nbsp;", " "): row.strip("| ").split(" | ")[1:] for row in rows}
     assert cells.keys() == {key for key, item in report.LEDGER.items() if item.verdict != "holds"}
@@ -302,6 +303,19 @@ def test_the_errata_are_what_is_printed_why_it_cannot_be_and_what_holds(monkeypa
     assert cells["claim A1.3"][0] == "Fig. 1.2 shows position and orientation of the gripper"
     (link,) = re.findall(r"eq.&nbsp;1.10\]\(([^)]+)\)", report.errata().data)
     assert f"({link})" in report.ledger().data
+
+
+@pytest.mark.parametrize("listed", [report.ledger, report.errata])
+def test_the_index_folds_its_lists_by_notebook_in_their_order(listed, monkeypatch):
+    """A blank line around each table, or it is not one."""
+    monkeypatch.chdir(NOTEBOOKS)
+    folded = re.findall(
+        r"<details><summary>([^:]+): (\d+) \w+</summary>\n\n(.+?)\n\n</details>", listed().data, re.S
+    )
+    assert [name for name, _, _ in folded] == sorted(name for name, _, _ in folded)
+    assert folded[-1][0] == "Part 3. Singularity avoidance"
+    for _, number, table in folded:
+        assert len(table.splitlines()) == 2 + int(number)
 
 
 def test_names_of_lengths_and_angles_are_typeset():

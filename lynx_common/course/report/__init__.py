@@ -8,9 +8,10 @@ with the robots' modules, so that nothing can be compared with itself.
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from importlib import import_module
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -87,13 +88,27 @@ def summary(notebook: str) -> Markdown:
 
 
 def ledger() -> Markdown:
-    """All items, each with a link to the cell that checks it, in a notebook beside the one that asks."""
-    return _table(LEDGER.values(), linked=True)
+    """All items, by notebook; each links to the cell that checks it, in a notebook beside the one that asks."""
+    return _folded(LEDGER.values(), lambda items: _table(items, linked=True), "item")
 
 
 def errata() -> Markdown:
     """The items that do not hold as printed, each with a link to the cell that shows it, and what holds."""
-    items = sorted((item for item in LEDGER.values() if item.kind != "holds"), key=_reading_order)
+    return _folded((item for item in LEDGER.values() if item.kind != "holds"), _corrections, "correction")
+
+
+def _folded(items: Iterable[Item], table: Callable, noun: str) -> Markdown:
+    """One table a notebook, each shown when its name is clicked."""
+    parts = []
+    for notebook, group in groupby(sorted(items, key=_reading_order), key=lambda item: item.notebook):
+        listed = list(group)
+        number, *words = notebook.replace("Part", "Part ").split("_")
+        heading = f"{number}. {' '.join(words).capitalize()}: {len(listed)} {noun}{'s' * (len(listed) > 1)}"
+        parts.append(f"<details><summary>{heading}</summary>\n\n{table(listed).data}\n\n</details>\n")
+    return Markdown("\n".join(parts))
+
+
+def _corrections(items: Iterable[Item]) -> Markdown:
     rows = (
         (_link(item), _as_printed(item), _typeset(item.because), _typeset(item.verdict.removeprefix("wrong: ")))
         for item in items

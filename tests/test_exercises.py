@@ -100,6 +100,7 @@ ALSO_RIGHT = {
     "B3.3": [2.064],
     "P2.1": [165.2, sp.Matrix([[165.24]])],
     "P2.2": [MODES[5] + np.array([2, -4, 0]) * pi],
+    "P3.6": [[0.0912967, 2.282826]],  # not to second order, but exactly
     "P3.4": [np.cross(TIP, FORCE)[[2, 2, 2, 0, 1, 2]] * [0, 0, 0, 1, 1, 0]],
 }
 
@@ -242,6 +243,14 @@ WRONG = {
         ([0.625, 0.3195], "joint speed"),
         ([0.8, 0.0664], REST),
         ([0.625, 0.0418], "the damping is right, the share is not right"),
+    ],
+    "P3.6": [
+        ([5.230, 2.282], "right in degrees"),
+        ([0.06455, 1.614], "the half of the second-order term"),
+        ([0.09129, 4.564], "the mean one"),
+        ([0.1, 2.282], "the bend is not right, the speed is right"),
+        ([0.2, 3.0], REST),
+        (0.09129, "one number was given"),
     ],
 }
 

@@ -168,7 +168,7 @@ def grow(tree, free, q, step):
 
 def planner_first_step(seed, step):
     grown = Tree(LEFT, RIGHT, 4)
-    drawn = search._draw(grown, SQUARE, np.random.default_rng(seed))
+    drawn = search._draw(grown, everywhere, SQUARE, np.random.default_rng(seed))
     grow(grown, everywhere, drawn, step)
     new = grown.q[2] - LEFT
     away = drawn - LEFT
@@ -213,7 +213,7 @@ def test_no_posture_of_the_tree_is_better_reached_through_its_near_ones_than_it_
     q, cost = found.tree.q[:-1], found.tree.cost[:-1]
     last, last_cost = found.tree.q[-1], found.tree.cost[-1]
     distance = np.linalg.norm(q - last, axis=1)
-    near = np.argsort(distance)[: int(np.ceil(np.e * 1.5 * np.log(len(found.tree.q) - 1)))]
+    near = np.argsort(distance)[: int(np.ceil(2**3 * np.e * 1.5 * np.log(len(found.tree.q) - 1)))]
     for node in near:
         if gap(at_resolution(q[node], last)).all():
             assert last_cost <= cost[node] + distance[node] + 1e-12
@@ -237,7 +237,7 @@ def test_the_near_ones_are_the_nearest_that_are_attached(rng):
             exact = np.linalg.norm(grown.q - q, axis=1)
             np.testing.assert_allclose(distance, exact[near])
             exact[1] = np.inf  # the goal is not attached
-            assert len(near) == int(np.ceil(np.e * (1 + 1 / m) * np.log(300)))
+            assert len(near) == min(299, int(np.ceil(2 ** (m + 1) * np.e * (1 + 1 / m) * np.log(300))))
             np.testing.assert_allclose(np.sort(exact)[: len(near)], np.sort(distance))
     few = Tree(np.zeros(2), np.ones(2), 5)
     assert few.near(np.ones(2))[0].tolist() == [0]
@@ -272,7 +272,7 @@ def test_once_there_is_a_path_only_what_may_lie_on_a_better_one_is_drawn(rng):
     ):
         grown, limits = Tree(np.array(start), np.array(goal), 3), np.tile([-1.0, 1.0], (3, 1))
         grown.cost[1] = best = 0.9
-        drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
+        drawn = np.array([search._draw(grown, everywhere, limits, rng) for _ in range(2000)])
         through = sum(np.linalg.norm(drawn - end, axis=1) for end in grown.q[:2])
         assert through.max() <= best + 1e-12
         assert through.max() > 0.99 * best
@@ -290,7 +290,7 @@ def test_what_is_drawn_is_within_limits_where_these_hold_hardly_any_of_the_ellip
     limits = np.array([[-1.0, 1.0], [-1e-3, 1e-3]])
     grown = Tree(np.array([-0.8, 0]), np.array([0.8, 0]), 3)
     grown.cost[1] = 3.0
-    drawn = np.array([search._draw(grown, limits, rng) for _ in range(300)])
+    drawn = np.array([search._draw(grown, everywhere, limits, rng) for _ in range(300)])
     assert (np.abs(drawn) <= limits[:, 1]).all()
     assert len(np.unique(drawn, axis=0)) == 300
 
@@ -298,13 +298,23 @@ def test_what_is_drawn_is_within_limits_where_these_hold_hardly_any_of_the_ellip
 def test_until_there_is_a_path_anything_within_limits_is_drawn_and_the_goal_now_and_then(rng):
     limits = np.array([[-3.0, 1.0], [2.0, 2.5]])
     grown = Tree(np.array([0.0, 2.2]), np.array([-2.0, 2.4]), 3)
-    drawn = np.array([search._draw(grown, limits, rng) for _ in range(2000)])
+    drawn = np.array([search._draw(grown, everywhere, limits, rng) for _ in range(2000)])
     goals = (drawn == grown.q[1]).all(axis=1)
     assert 0.03 < goals.mean() < 0.1
     others = drawn[~goals]
     np.testing.assert_allclose(others.min(axis=0), limits[:, 0], atol=0.01)
     np.testing.assert_allclose(others.max(axis=0), limits[:, 1], atol=0.01)
     np.testing.assert_allclose(others.mean(axis=0), limits.mean(axis=1), atol=0.06)
+
+
+def test_what_is_drawn_is_free_where_any_of_sixteen_is(rng):
+    for best in (np.inf, 2.0):
+        grown = Tree(LEFT, RIGHT, 3)
+        grown.cost[1] = best
+        drawn = np.array([search._draw(grown, outside_disc, SQUARE, rng) for _ in range(500)])
+        assert outside_disc(drawn).all()
+        assert len(np.unique(drawn, axis=0)) > 450
+        assert (search._draw(grown, lambda q: np.zeros(len(q), bool), SQUARE, rng) <= 1).all()
 
 
 @pytest.mark.parametrize(("height", "added"), [(0.59, 1), (0.61, 0)])
@@ -343,8 +353,8 @@ def test_free_is_asked_about_whole_edges_and_few_times():
 
     planner.plan(free, SQUARE, LEFT, RIGHT, 500)
     assert (
-        len(calls) <= 3 * 500 + 3
-    )  # start, goal, the line between; in each iteration the best, the others, rewiring
+        len(calls) <= 4 * 500 + 3
+    )  # start, goal, the line between; in each iteration what is drawn, the best, the others, rewiring
 
 
 def test_lines_are_checked_at_their_ends_and_no_farther_apart_than_the_resolution(rng):

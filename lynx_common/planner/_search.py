@@ -14,7 +14,7 @@ from ._tree import GOAL, START, Tree
 
 AT_LIMIT = 1e-9  # room for rounding where a start or a goal stands exactly at a limit, as in ``arm``
 GOAL_SHARE = 0.05  # of the postures drawn, until there is a path
-DRAWS = 16  # postures drawn at a time from the ellipsoid, of which the first within the limits is taken
+DRAWS = 16  # postures drawn at a time, of which the first that is free and within the limits is taken
 
 AreFree = Callable[[np.ndarray, np.ndarray], np.ndarray]  # whether lines from a to b are: ``lines_free``
 
@@ -47,11 +47,11 @@ def plan(
 ) -> Plan:
     """A path of little joint travel from start to goal, by RRT*.
 
-    Each iteration draws a posture at random and goes from the nearest of the tree towards it, by ``step`` at most.
-    What it reaches it joins to that one of the nearest k > e (1 + 1/m) log n from which the travel is least, and
-    leads others of these through it, and to the goal, where that is shorter. Once there is a path, postures are
-    drawn only from the ellipsoid of those that may lie on a better one. Where the straight line from start to
-    goal is free it is the path, and nothing is searched.
+    Each iteration draws a free posture at random and goes from the nearest of the tree towards it, by ``step`` at
+    most. What it reaches it joins to that one of the nearest k > 2^(m + 1) e (1 + 1/m) log n from which the travel
+    is least, and leads others of these through it, and to the goal, where that is shorter. Once there is a path,
+    postures are drawn only from the ellipsoid of those that may lie on a better one. Where the straight line from
+    start to goal is free it is the path, and nothing is searched.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def plan(
         tree.attach(GOAL, START, history[0])
         iterations = 0
     for i in range(iterations):
-        _grow(tree, are_free, _draw(tree, limits, rng), step)
+        _grow(tree, are_free, _draw(tree, free, limits, rng), step)
         history[i] = tree.cost[GOAL]
     tree.trim()
     reached = np.isfinite(tree.cost)
@@ -115,14 +115,17 @@ def _endpoint(q: ArrayLike, name: str, limits: np.ndarray, free: Free) -> np.nda
     return q
 
 
-def _draw(tree: Tree, limits: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """A posture within limits: any, or the goal, or one that may lie on a path better than the best."""
-    best = tree.cost[GOAL]
-    if np.isinf(best):
-        return tree.q[GOAL] if rng.random() < GOAL_SHARE else rng.uniform(*limits.T)
-    drawn = _in_ellipsoid(tree.q[START], tree.q[GOAL], best, rng)
-    within = ((drawn >= limits[:, 0]) & (drawn <= limits[:, 1])).all(axis=1)
-    return drawn[within.argmax()] if within.any() else rng.uniform(*limits.T)
+def _draw(tree: Tree, free: Free, limits: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """A free posture within limits: any, or the goal, or one that may lie on a path better than the best."""
+    (low, high), best = limits.T, tree.cost[GOAL]
+    if np.isinf(best) and rng.random() < GOAL_SHARE:
+        return tree.q[GOAL]
+    drawn = rng.uniform(low, high, (DRAWS, len(limits)))
+    if np.isfinite(best):
+        inside = _in_ellipsoid(tree.q[START], tree.q[GOAL], best, rng)
+        within = ((inside >= low) & (inside <= high)).all(axis=1)
+        drawn = inside[within] if within.any() else drawn
+    return drawn[asked(free, drawn.copy()).argmax()]  # where none is free the first, to which no line is free
 
 
 def _in_ellipsoid(start: np.ndarray, goal: np.ndarray, travel: float, rng: np.random.Generator) -> np.ndarray:
@@ -148,10 +151,9 @@ def _grow(tree: Tree, are_free: AreFree, q: np.ndarray, step: float) -> None:
         nearest = tree.q[near[distance.argmin()]]
         q = nearest + step / far * (q - nearest)
         near, distance = tree.near(q)
-    travel = tree.cost[near] + distance
-    if travel.min() + np.linalg.norm(tree.q[GOAL] - q) >= tree.cost[GOAL]:
-        return  # it cannot be on a better path
+    travel, to_goal = tree.cost[near] + distance, np.linalg.norm(tree.q[GOAL] - q)
     best_first = np.argsort(travel, kind="stable")
+    best_first = best_first[travel[best_first] + to_goal < tree.cost[GOAL]]  # no other leads to a better path
     for parents in (best_first[:1], best_first[1:]):  # mostly the line from the best is free: it is asked alone
         reached = are_free(tree.q[near[parents]], q)
         if reached.any():
@@ -165,7 +167,9 @@ def _rewire(tree: Tree, are_free: AreFree, new: int, near: np.ndarray, distance:
     """Lead to the postures near by, and to the goal, through the new one where that is shorter and free."""
     near = np.append(near, GOAL)
     distance = np.append(distance, np.linalg.norm(tree.q[GOAL] - tree.q[new]))
-    shorter = tree.cost[new] + distance < tree.cost[near]
+    travel = tree.cost[new] + distance
+    onward = np.linalg.norm(tree.q[GOAL] - tree.q[near], axis=1)
+    shorter = (travel < tree.cost[near]) & (travel + onward < tree.cost[GOAL])
     near, distance = near[shorter], distance[shorter]
     reached = are_free(tree.q[new], tree.q[near])
     for node, edge in zip(near[reached], distance[reached], strict=True):

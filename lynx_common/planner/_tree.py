@@ -50,9 +50,9 @@ class Tree:
             stack += self.children[below]
 
     def near(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Rows of the nearest k > e (1 + 1/m) log n postures that are reached, and their distances."""
+        """Rows of the nearest k > 2^(m + 1) e (1 + 1/m) log n postures that are reached, and their distances."""
         n, m = self.size, len(q)
-        k = min(n, int(np.e * (1 + 1 / m) * np.log(n)) + 1)
+        k = min(n, int(2 ** (m + 1) * np.e * (1 + 1 / m) * np.log(n)) + 1)
         order = self.squared[:n] - 2 * (self.q[:n] @ q)  # squared distances, but for a constant
         near = np.argpartition(order, k - 1)[:k] if k < n else np.arange(n)
         near = near[np.isfinite(self.cost[near])]

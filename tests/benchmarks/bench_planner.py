@@ -22,15 +22,15 @@ SCENES = {
 SEEDS = range(10)
 
 
-def free_in(balls):
+def free_in(balls, spare=0.0):
     def free(q):
         """Smallest singular value, in closed form (notebook Part 3), and clearance of the whole arm."""
         distance = np.abs(10 * np.cos(q[:, 1]) + 10 * np.cos(q[:, 1] + q[:, 2]))
         trace, det = 100 * (3 + 2 * np.cos(q[:, 2])), 100 * np.abs(np.sin(q[:, 2]))
-        elbow = det / np.sqrt((trace + np.sqrt(trace**2 - 4 * det**2)) / 2)
+        elbow = det / np.sqrt((trace + np.sqrt(np.maximum(trace**2 - 4 * det**2, 0))) / 2)
         posture = np.concatenate([q, np.zeros((len(q), 2))], axis=1)
-        clear = [obstacles.clearance(posture, ball, geometry=GEOMETRY) >= MARGIN for ball in balls]
-        return (np.minimum(distance, elbow) >= SMALLEST) & np.logical_and.reduce(clear)
+        clear = [obstacles.clearance(posture, ball, geometry=GEOMETRY) >= MARGIN + spare for ball in balls]
+        return (np.minimum(distance, elbow) >= SMALLEST + spare) & np.logical_and.reduce(clear)
 
     return free
 

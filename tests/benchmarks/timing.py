@@ -16,7 +16,7 @@ PEERS = {  # by their names in the table; what each is installed as
     "ikpy": "ikpy",
     "Modern Robotics": "modern-robotics",
 }
-PACKAGES = ["numpy", "sympy", *PEERS.values()]
+PACKAGES = ["numpy", "sympy", *PEERS.values(), "ompl"]
 
 
 def side_by_side(calls: dict[str, Callable], rounds: int = 15, least: float = 0.01) -> dict[str, np.ndarray]:

@@ -1,4 +1,4 @@
-"""Exercises of Part 3: ranks, an order of postures, a wrist of three axes, what a structure carries, damping."""
+"""Exercises of Part 3: ranks, an order, a wrist, what a structure carries, damping, second order."""
 
 import numpy as np
 
@@ -112,6 +112,16 @@ def damped(limit: float, sigma: float) -> Exercise:
     )
 
 
+# P3.6: a stretched arm, pushed in a little: to second order by L_1 L_2 / (L_1 + L_2) / 2 times the bend squared.
+SHORTER, FOLD = 0.02, 12 * 8 / (12 + 8)
+
+
+def bend_and_speed(fold: float) -> list[float]:
+    """Bend, and its rate while the end moves inward at 1 unit/s, where it has come in by fold / 2 * bend**2."""
+    bend = (2 * SHORTER / fold) ** 0.5
+    return [bend, 1 / (fold * bend)]
+
+
 EXERCISES = {
     "P3.1": Exercise(
         form=Form((2, 5)),
@@ -220,6 +230,33 @@ EXERCISES = {
             "y": (0.02, 0.01, 0.02, 0.005),
             "z": (-0.1, -0.12, -0.08, 0.01),
         },
+    ),
+    "P3.6": Exercise(
+        form=Form((2,)),
+        unit=("radians", ""),
+        parts={"the bend is": 0, "the speed is": 1},
+        right=bend_and_speed(FOLD),
+        misconceptions=(
+            (bend_and_speed(2 * FOLD), "the half of the second-order term is missing."),
+            (
+                bend_and_speed(12 * 8 * (12 + 8)),
+                "this is t, the share of the kernel; the elbow turns by L_1 + L_2 times as much.",
+            ),
+            (bend_and_speed(10 * 10 / (10 + 10)), "these are the links of this section's arm, not 12 and 8."),
+            (
+                [bend_and_speed(FOLD)[0], bend_and_speed(FOLD)[0] / SHORTER],
+                "the speed is the mean one since full stretch; it is not constant, and that just then is asked.",
+            ),
+        ),
+        hints=(
+            "The kernel at full stretch is (-L_2, L_1 + L_2): with a share t the elbow bends by (L_1 + L_2) t.",
+            "The end comes inward by L_1 L_2 bend^2 / (2 (L_1 + L_2)). Solve for the bend; differentiate by time.",
+        ),
+        explanation="With the share $t$ of the kernel the end comes inward by $L_1 L_2 (L_1 + L_2)\\,t^2/2$, and "
+        "the elbow bends by $\\theta_3 = (L_1 + L_2)\\,t$. So it is $\\delta = L_1 L_2\\,\\theta_3^2 / "
+        "(2 (L_1 + L_2)) = 2.4\\,\\theta_3^2$. At $\\delta = 0.02$ that is 0.09129 rad, 5.2°. And $\\dot\\delta = "
+        "4.8\\,\\theta_3 \\dot\\theta_3 = 1$ gives 2.282 rad/s.",
+        code="bend = np.sqrt(0.02 / 2.4)\nanswer_6 = [bend, 1 / (4.8 * bend)]",
     ),
     "P3.5": Own(damped, {"limit": (0.8, 0.6, 1.2, 0.02), "sigma": (3, 2, 5, 0.1)}),
 }

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from math import degrees
 
 ROUNDED = 1e-2  # radians: so much may come from printing few digits
-MANY = 30  # where more names are known, only the nearest ones are listed
+MANY = 40  # where more names are known, only the nearest ones are listed
 
 
 def told_apart(*values: float, decimals: int = 4) -> list[str]:

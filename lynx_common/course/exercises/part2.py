@@ -1,6 +1,8 @@
 """Exercises of Part 2, the parallel robot: a leg's span, motor angles of a mode, a full turn, assembly modes, a
 self-motion and its neighbour of second order, a force at the needle, and a loose platform."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ... import rrr
@@ -72,46 +74,34 @@ def loose_platform(r_base: int, r_platform: int, S_A: int, L: int) -> Exercise:
     )
 
 
-# P2.5: driven links that point at the middle end S_A short of it; the corners are M_i, PP_i and the middle.
+# P2.5 and P2.6: triangles with a corner in the middle. The driven links of P2.5 end S_A short of it; the robot of
+# P2.6 is the printed one of P2.4.
 BOTH = np.array([-1, 1])
-
-
-def assembled(elbow: float, distal: float = rrr.RRR.L, platform: float = rrr.RRR.r_platform) -> np.ndarray:
-    """The two turns, for elbows so far from the middle: the angle there in the triangle of elbow and joint."""
-    return BOTH * float(np.arccos((elbow**2 + platform**2 - distal**2) / (2 * elbow * platform)))
-
-
-ELBOW = rrr.RRR.r_base - rrr.RRR.S_A
-POINTED = assembled(ELBOW)
-# P2.6: the printed robot of P2.4, at a turn of 60 deg; then 2 deg from in line.
 BASE, PLATFORM, DISTAL = 300, 100, 150
-CIRCLING, LITTLE = np.deg2rad(60), np.deg2rad(2)
 
 
-def third(one: float, other: float, angle: float) -> float:
-    """The side of a triangle opposite to the angle between two sides."""
-    return float(np.sqrt(one**2 + other**2 - 2 * one * other * np.cos(angle)))
+def side(one: float, other: float, degrees: float) -> float:
+    """The third side of a triangle, opposite to the angle between the two given ones."""
+    return float(np.sqrt(one**2 + other**2 - 2 * one * other * np.cos(np.deg2rad(degrees))))
 
 
-CARRIED = third(BASE, PLATFORM, CIRCLING)
-LONGER = third(PLATFORM, PLATFORM + DISTAL, LITTLE) - DISTAL
+def turns(elbow: float, distal: float = rrr.RRR.L) -> np.ndarray:
+    """Both turns that close the distal link, with elbows so far from the middle and the joints 130 mm."""
+    return BOTH * float(np.arccos((elbow**2 + 130**2 - distal**2) / (2 * elbow * 130)))
 
 
-def close(x: float, known: float) -> bool:
-    """To four significant digits."""
-    return abs(x - known) <= TOLERANCE * abs(known)
+def entry_is(which: int, known: float) -> Callable[[np.ndarray], bool]:
+    """Whether one entry of an answer is this wrong one."""
+    return lambda x: abs(x[which] - known) <= TOLERANCE * known
 
 
-# P2.7: the force, and the Jacobian of the pose.
-PUSH, NEEDLE = np.array([6, -8, 0]), [30, -40, 0.2]
+POINTED = turns(290 - 170)
+CARRIED, LONGER = side(BASE, PLATFORM, 60), side(PLATFORM, PLATFORM + DISTAL, 2) - DISTAL
 
-
-def motion(mode: int = 0) -> np.ndarray:
-    """A^-1 B."""
-    return np.linalg.solve(*rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[mode]))
-
-
-TORQUES = PUSH @ motion()
+# P2.7: the force, and A^-1 B with all legs bent to the left or to the right.
+PUSH, NEEDLE = np.array([6, -8, 0]), np.array([30, -40, 0.2])
+LEFT, RIGHT = (np.linalg.solve(*rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[mode])) for mode in (0, 7))
+TORQUES = PUSH @ LEFT
 
 EXERCISES = {
     "P2.1": Exercise(
@@ -201,26 +191,18 @@ EXERCISES = {
         right=POINTED,
         misconceptions=(
             (POINTED[::-1], "the smaller comes first."),
-            (assembled(rrr.RRR.S_A), "S_A is counted from the motor; how far are the elbows from the middle?"),
-            (
-                assembled(rrr.RRR.r_base - rrr.RRR.L, rrr.RRR.S_A),
-                "the links are exchanged: the driven one is 170 mm.",
-            ),
-            (
-                BOTH * corner(290, 130, 170, 130),
-                "this is the pose of type 2, with M_i, PP_i and C in line; the motors then do not point inwards.",
-            ),
-            (BOTH * np.pi - POINTED, "this is the angle beside the one at the middle."),
+            (turns(170), "S_A is counted from the motor; how far are the elbows from the middle?"),
+            (turns(290 - 130, 170), "the links are exchanged: the driven one is 170 mm."),
+            (BOTH * corner(290, 130, 170, 130), "these are of type 2; the motors then do not point inwards."),
             (lambda x: x[0] == x[1], "these are equal; the two are each other's mirror images."),
         ),
         hints=(
             "Where are the elbows? On the lines from the middle to the motors, 290 - 170 mm from the middle.",
             "The middle, M_i and PP_i are corners of a triangle whose sides are 120, 130 and 130 mm.",
         ),
-        explanation="The elbows are $290 - 170 = 120$ mm from the middle, in the directions of the motors, and "
-        "$PP_i$ is 130 mm from it, turned by $\\alpha$ against them. The distal link closes the triangle: "
-        "$\\cos\\alpha = (120^2 + 130^2 - 130^2) / (2 \\cdot 120 \\cdot 130) = 6/13$, so "
-        "$\\alpha = \\pm 62.51°$. At one the legs all bend to the left, at the other all to the right.",
+        explanation="The elbows are 120 mm from the middle, $PP_i$ is 130 mm from it, at $\\alpha$ to them. "
+        "The triangle closes: $\\cos\\alpha = (120^2 + 130^2 - 130^2) / (2 \\cdot 120 \\cdot 130)$, so "
+        "$\\alpha = \\pm 62.51°$. At $-$ the legs all bend to the left, at $+$ all to the right.",
         code="tilt = np.arccos((120**2 + 130**2 - 130**2) / (2 * 120 * 130))\nanswer_5 = [-tilt, tilt]",
     ),
     "P2.6": Exercise(
@@ -229,30 +211,22 @@ EXERCISES = {
         right=[CARRIED, LONGER],
         parts={"S_A is": 0, "the lengthening is": 1},
         misconceptions=(
-            (lambda x: close(x[0], CARRIED - DISTAL), "with this S_A the legs are stretched at 60 deg."),
-            (lambda x: close(x[0], np.hypot(BASE, PLATFORM)), "this S_A belongs to a turn of 90 deg."),
-            (lambda x: close(x[0], BASE - PLATFORM), "this S_A belongs to a turn of 0."),
+            (entry_is(0, CARRIED - DISTAL), "with this S_A the legs are stretched at 60 deg."),
+            (entry_is(0, side(BASE, PLATFORM, 90)), "this S_A belongs to a turn of 90 deg."),
+            (entry_is(0, side(BASE, PLATFORM, 120)), "mind the sign in the law of cosines."),
+            (entry_is(1, PLATFORM * np.deg2rad(2)), "this is the way of PP_i, which runs square to the link."),
             (
-                lambda x: close(x[0], third(BASE, PLATFORM, np.pi - CIRCLING)),
-                "mind the sign in the law of cosines.",
+                entry_is(1, side(PLATFORM, PLATFORM + DISTAL, np.rad2deg(2)) - DISTAL),
+                "cos takes radians; convert.",
             ),
-            (
-                lambda x: close(x[1], PLATFORM * LITTLE),
-                "this is the way of PP_i; it runs square to the link, which grows by second order.",
-            ),
-            (lambda x: close(x[1], third(PLATFORM, PLATFORM + DISTAL, 2) - DISTAL), "cos takes radians; convert."),
-            (
-                lambda x: close(x[1], LONGER + DISTAL),
-                "this is how long the links would be; by how much longer was asked.",
-            ),
+            (entry_is(1, LONGER + DISTAL), "this is how long the links would be; asked is by how much longer."),
         ),
         hints=(
             "For (a) S_A has to be the distance d of section 7. For (b) draw the triangle of C, PP_i and M_i.",
             "(a) is the law of cosines with r_base and r_platform. In (b) M_i is 250 mm from C, and PP_i 100 mm.",
         ),
-        explanation="(a) $S_A = d$ with $d^2 = 300^2 + 100^2 - 2 \\cdot 300 \\cdot 100 \\cos 60° = 70000$, "
-        "so 264.6 mm. (b) $\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm. The "
-        "first is a finite motion; the second is stopped by a tenth of a millimetre.",
+        explanation="(a) $d^2 = 300^2 + 100^2 - 2 \\cdot 300 \\cdot 100 \\cos 60° = 70000$: 264.6 mm. (b) "
+        "$\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm: it hardly resists.",
         code="d_60 = np.sqrt(300**2 + 100**2 - 2 * 300 * 100 * np.cos(np.deg2rad(60)))\n"
         "link = np.sqrt(100**2 + 250**2 - 2 * 100 * 250 * np.cos(np.deg2rad(2)))\n"
         "answer_6 = [d_60, link - 150]",
@@ -262,14 +236,9 @@ EXERCISES = {
         right=TORQUES,
         misconceptions=(
             (TORQUES / 1000, "this is right in N m; N mm are expected."),
-            (motion() @ PUSH, "A^-1 B takes motor speeds to speeds of the pose; for torques it is transposed."),
-            (PUSH @ np.linalg.inv(motion()), "this is B^-1 A; torques take the transpose of A^-1 B."),
-            (PUSH @ motion(7), "here all legs bend to the right."),
-            ([-8, 6, 0] @ motion(), "the force's components are exchanged."),
-            (
-                PUSH @ rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[0])[0],
-                "B is left out, and A not inverted.",
-            ),
+            (LEFT @ PUSH, "A^-1 B takes motor speeds to speeds of the pose; for torques it is transposed."),
+            (PUSH @ np.linalg.inv(LEFT), "this is B^-1 A; torques take the transpose of A^-1 B."),
+            (PUSH @ RIGHT, "here all legs bend to the right."),
         ),
         hints=(
             "Work in equals work out in every motion: torques times motor speeds are the force times that of C.",

@@ -60,7 +60,7 @@ def check(key: str, derived: np.ndarray | sp.Basic | bool | tuple[bool, bool]) -
     item = _find(key)
     if found := _contradiction(item, derived):
         raise LedgerError(key, item.verdict, found)
-    print(f"{key} {item.verdict}")
+    print(f"{key} ({item.says}): {item.verdict}" if item.printed is True else f"{key} {item.verdict}")
 
 
 def _contradiction(item: Item, derived: Any) -> str:

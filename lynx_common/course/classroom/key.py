@@ -47,8 +47,10 @@ def right(exercise: Exercise) -> list[object]:
 
 
 def _rounded(x: np.ndarray) -> np.ndarray:
-    size = np.abs(x).max()
-    return np.round(x, 5 - int(np.floor(np.log10(size)))) + 0.0 if size else x
+    """Each entry to six significant digits; what is rounding beside the largest entry becomes zero."""
+    x = np.where(np.abs(x) > 1e-12 * np.abs(x).max(), x, 0.0)
+    unit = 10.0 ** (np.floor(np.log10(np.abs(x), where=x != 0, out=np.zeros_like(x))) - 5)
+    return np.round(np.round(x / unit) * unit, 15)
 
 
 if __name__ == "__main__":

@@ -110,11 +110,11 @@ def test_it_is_said_what_was_wrong_and_whose_numbers_were_asked_for(rows):
 
 def test_the_table_is_no_program_of_a_spreadsheet(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(grade, "FILE", tmp_path / "build" / "grades.csv")
-    row = grade.Row("=1+1", "@x", "notebook", "A1.1", 1, RIGHT, "-")
+    row = grade.Row("=1+1", "@\udc80", "notebook", "A1.1", 1, RIGHT, "-")
     monkeypatch.setattr(grade, "grade", lambda folder: iter([row]))
     assert grade.main(tmp_path) == 0
     with grade.FILE.open(encoding="utf-8", newline="") as file:
-        assert list(csv.reader(file))[1] == ["'=1+1", "'@x", "notebook", "A1.1", "1", RIGHT, "'-"]
+        assert list(csv.reader(file))[1] == ["'=1+1", "'@\\udc80", "notebook", "A1.1", "1", RIGHT, "'-"]
     assert grade.WARNING in capsys.readouterr().out
     assert grade.main(tmp_path / "nowhere") == 1
 

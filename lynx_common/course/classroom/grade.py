@@ -139,7 +139,7 @@ def main(folder: Path) -> int:
         return 1
     print(WARNING)
     FILE.parent.mkdir(exist_ok=True)
-    with FILE.open("w", encoding="utf-8", newline="") as file:
+    with FILE.open("w", encoding="utf-8", errors="backslashreplace", newline="") as file:
         table = csv.writer(file)
         table.writerow(Row._fields)
         table.writerows(map(shown, row) for row in grade(folder.resolve()))

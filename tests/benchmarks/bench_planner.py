@@ -53,21 +53,21 @@ def searches(scene, iterations, seeds):
 
 
 @pytest.mark.parametrize("scene", ["notebook"])
-def test_a_path_within_2000_iterations_and_2_seconds(scene):
-    seconds, plans = zip(*searches(scene, 2000, SEEDS), strict=True)
+def test_a_path_within_1000_iterations_and_2_seconds(scene):
+    seconds, plans = zip(*searches(scene, 1000, SEEDS), strict=True)
     first = [int(np.isfinite(plan.history).argmax()) + 1 for plan in plans]
     print(f"\n{scene}: first path after {np.median(first):.0f} iterations (at most {max(first)}); ", end="")
-    print(f"2,000 iterations in {np.median(seconds):.2f} s (at most {max(seconds):.2f} s)")
+    print(f"1,000 iterations in {np.median(seconds):.2f} s (at most {max(seconds):.2f} s)")
     assert np.median(seconds) <= 2
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_within_5_percent_of_the_long_run_best_after_20_000_iterations(scene):
-    """The best known: the least travel of ten seeds, 20,000 iterations and 5,000 shortcuts each."""
+def test_within_1_percent_of_the_best_known_after_3000_iterations(scene):
+    """The best known: the least travel of ten seeds, 3,000 iterations and 5,000 shortcuts each."""
     free = problem(scene)[0]
-    seconds, plans = zip(*searches(scene, 20_000, SEEDS), strict=True)
+    seconds, plans = zip(*searches(scene, 3000, SEEDS), strict=True)
     best = min(planner.joint_travel(planner.shortcut(free, plan.path, 5000)) for plan in plans)
-    at = {n: np.median([plan.history[n - 1] for plan in plans]) / best - 1 for n in (500, 2000, 20_000)}
+    at = {n: np.median([plan.history[n - 1] for plan in plans]) / best - 1 for n in (300, 1000, 3000)}
     above = ", ".join(f"{share:.2%} after {n:,}" for n, share in at.items())
     print(f"\n{scene}: best {best:.4f} rad; median above it {above}; {np.median(seconds):.1f} s")
-    assert at[20_000] <= 0.05
+    assert at[3000] <= 0.01

@@ -172,7 +172,7 @@ def close_code(self, node):
 
 
 def setup(app):
-    app.connect("builder-inited", lambda app: setattr(app.env, "words", {}))
+    app.connect("builder-inited", lambda app: setattr(app.env, "words", getattr(app.env, "words", {})))
     app.connect("source-read", prepare)
     app.connect("doctree-read", finish)
     app.connect("html-page-context", fill)

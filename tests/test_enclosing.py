@@ -106,6 +106,10 @@ def test_what_cannot_be_enclosed_is_refused():
     ):
         with pytest.raises(InputError, match=sentence):
             enclose(formula, (x, y))
+    with pytest.raises(InputError, match="One box for each of 1 vectors is expected, not 2"):
+        enclose(x, (x,))([[0, 1]], [[0, 1]])
+    with pytest.raises(InputError, match="listed twice"):
+        enclose(x, (x,), (x,))
     with pytest.raises(InputError, match="also holds y"):
         enclose(x + y, (x,))
     with pytest.raises(InputError, match=r"lower end above its upper"):

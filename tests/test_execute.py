@@ -132,6 +132,8 @@ def test_another_arm_has_copies_that_say_so_and_the_notebooks_stay(ran, monkeypa
         ("L_1=-0.2", "L_1 is -0.2; a length is finite and longer than zero."),
         ("L_1=long", "L_1 is long; lengths are written as in L_1=0.25 L_3=0.12."),
         ("L_1 0.2", "L_1 is not given; lengths are written as in L_1=0.25 L_3=0.12."),
+        ("L_1=0.2 L_1=0.3", "L_1 is 0.2 and 0.3; each length is given once."),
+        ("cls=1", "cls is 1.0; there are d_1, L_1, L_2, L_3."),
         ("L_1=nan", "L_1 is nan; a length is finite and longer than zero."),
     ],
 )

@@ -178,7 +178,7 @@ def third_parties(source: str) -> set[str]:
 
 
 # Lines of Python, JavaScript and HTML, with docstrings and examples: what somebody has to read.
-LARGEST = {"robotics": 5500, "course": 6950}
+LARGEST = {"robotics": 5550, "course": 6950}
 
 
 def test_the_package_stays_small():

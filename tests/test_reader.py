@@ -11,7 +11,7 @@ from lynx_common import rrr, screws
 from lynx_common.course import exercises
 from lynx_common.course.exercises import part2, reader
 from lynx_common.course.exercises.exercise import RIGHT, TOLERANCE
-from lynx_common.errors import LynxError, UnknownNameError, WrongAnswerError
+from lynx_common.errors import InputError, LynxError, UnknownNameError, WrongAnswerError
 
 CATALOGUE = exercises.catalogue()
 OWN = [name for name, exercise in CATALOGUE.items() if exercise.numbers]
@@ -145,6 +145,8 @@ def test_numbers_are_readable_and_names_mostly_have_different_ones(name):
 def test_without_a_name_the_numbers_are_those_that_are_printed(name):
     printed = tuple(number for number, *_ in entry(name).drawn.values())
     assert exercises.numbers(name) == exercises.find(name, "").numbers == printed
+    with pytest.raises(InputError, match="name is text; an object of type int"):
+        exercises.find(name, 5)
     assert CATALOGUE[name].numbers == printed
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lynx_common import arm
+from lynx_common.errors import LynxError
 
 ARMS = [arm.Geometry(), arm.LYNX, arm.Geometry(0.15, 0.25, 0.18, 0.07), arm.Geometry(d_1=0, L_3=0)]
 
@@ -74,3 +75,11 @@ def test_it_is_a_tree_with_the_limits_of_the_package_and_all_that_a_reader_asks_
     }
     names = [joint.get("name") for joint in robot.findall("joint")]
     assert names == ["theta_1", "theta_2", "theta_3", "theta_4", "theta_5", "grip"]
+
+
+@pytest.mark.parametrize(
+    "wrong", [[np.nan, 0.2, 0.2, 0.1], [0.1], None, [0.1, -0.2, 0.2, 0.1], ["1", 1, 1, 1]], ids=str
+)
+def test_lengths_that_no_arm_has_get_a_sentence(wrong):
+    with pytest.raises(LynxError, match=r"lengths|Geometry"):
+        arm.urdf(wrong)

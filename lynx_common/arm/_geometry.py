@@ -39,8 +39,10 @@ def geometry_of(words: str) -> Geometry:
     >>> geometry_of("L_1=0.25 L_3=0.12")
     Geometry(d_1=0.1, L_1=0.25, L_2=0.2, L_3=0.12)
     """
-    lengths = {}
+    lengths: dict[str, float] = {}
     for name, _, text in (word.partition("=") for word in words.replace(",", " ").split()):
+        if name in lengths:
+            raise GeometryError(name, f"{lengths[name]} and {text}", "each length is given once")
         try:
             lengths[name] = float(text)
         except ValueError:

@@ -5,6 +5,7 @@ from xml.etree import ElementTree as xml
 
 import sympy as sp
 
+from .. import reading
 from ..symbolic import P
 from ._geometry import JOINT_LIMITS, LYNX, Geometry, dh_table
 
@@ -16,11 +17,13 @@ def urdf(geometry: Geometry = LYNX) -> str:
 
     With its joints at ``q`` the gripper has the pose ``forward_kinematics(q, geometry)`` in the frame base. Limits
     are JOINT_LIMITS. What a joint can bear and how fast it is, both of which URDF asks for, is not known: 1 stands
-    there. There are no masses.
+    there. There are no masses. GeometryError or InputError for lengths that no arm has.
 
     >>> urdf().count("<cylinder")  # link 4 has no length; each other one is there to be seen, and to collide
     8
     """
+    if not isinstance(geometry, Geometry):
+        geometry = Geometry(*reading.finite(geometry, "the lengths d_1, L_1, L_2, L_3", 4).tolist())
     robot = xml.Element("robot", name="lynxmotion")
     xml.SubElement(robot, "link", name="base")
     parent, end, twist = "base", (0.0, 0.0), 0.0

@@ -17,7 +17,7 @@ class Record:
 
     values: tuple[float, ...]
 
-    def __new__(cls, *_: object, **parameters: object) -> "Record":
+    def __new__(cls, /, *_: object, **parameters: object) -> "Record":
         known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # of the dataclasses made of it
         for name in parameters.keys() - known:
             raise GeometryError(name, parameters[name], f"there are {', '.join(known)}")

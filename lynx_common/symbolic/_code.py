@@ -1,5 +1,6 @@
 """The same formula as text in another language: MATLAB (which Octave reads, too), Python or C."""
 
+import re
 from collections.abc import Sequence
 from itertools import count
 
@@ -15,15 +16,39 @@ from ._door import read
 from ._symbols import ARGUMENTS
 
 # Outside of these MATLAB would compute a complex number, and Python would stop; C gives NaN, as NumPy does.
-INSIDE = {"sqrt": "x >= 0", "acos": "abs(x) <= 1", "asin": "abs(x) <= 1", "log": "x > 0"}
-ROUNDED = {"ceil": "math.isfinite(x)", "floor": "math.isfinite(x)"}
-GUARDED = {"matlab": INSIDE, "python": INSIDE | ROUNDED, "c": {}}
+INSIDE = {"sqrt": "x >= 0", "acos": "abs(x) <= 1", "asin": "abs(x) <= 1"}
+GUARDED = {"matlab": INSIDE, "python": INSIDE | {"ceil": "math.isfinite(x)"}, "c": {}}
 GUARD = {
     "matlab": "\nfunction y = real_{f}(x)\n  if {inside}, y = {f}(x); else, y = NaN; end\nend\n",
     "python": "\n\ndef real_{f}(x):\n    return math.{f}(x) if {inside} else math.nan\n",
 }
-GUARDS = {f"real_{f}": f"real_{f}" for f in INSIDE | ROUNDED}
-FUNCTIONS = {sp.acos: "acos", sp.asin: "asin", sp.log: "log", sp.ceiling: "ceil", sp.floor: "floor"}
+GUARDS = {f"real_{f}": f"real_{f}" for f in GUARDED["python"]}
+FUNCTIONS = {sp.acos: "acos", sp.asin: "asin", sp.ceiling: "ceil"}
+# All that is written. Others are computed otherwise at the edges of their domains, or for negative numbers.
+CHOICES = sp.Max, sp.Min, sp.sign  # of NaN they make a number
+WRITABLE = *FUNCTIONS, *CHOICES, sp.sin, sp.cos, sp.tan, sp.atan, sp.atan2, sp.Abs, sp.Piecewise
+LARGEST = 2**31  # beyond, C would take a whole number for another one
+
+NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
+# What the texts call by name, besides the reserved words of each language.
+CALLED = {
+    *GUARDS,
+    "pi",
+    "i",
+    "j",
+    "math",
+    "isfinite",
+    "nan",
+    "NAN",
+    "NaN",
+    "inf",
+    "Inf",
+    "INFINITY",
+    "M_PI",
+    "pow",
+}
+CALLED |= {"sqrt", "sin", "cos", "tan", "acos", "asin", "atan", "atan2", "ceil", "abs", "max", "min", "sign"}
+CALLED |= {"fabs", "fmax", "fmin", "copysign", "M_SQRT2", "M_PI_2"}
 
 PRINTERS: dict[str, CodePrinter] = {
     "matlab": OctaveCodePrinter({"inline": False, "user_functions": GUARDS}),
@@ -49,8 +74,9 @@ def code(
         The first comment: what is computed, in which units, and by which equation.
 
     The function takes one sample of finite numbers and gives what ``numeric`` gives: a number, a row of n, or a
-    matrix, with NaN outside a function's domain; in C as its last argument, unless it is a number. Raises
-    InputError for another language, for names that are none there, and for functions that it does not have.
+    matrix, with NaN outside a function's domain; in C as its last argument, unless it is a number. In Python a
+    division by zero raises. Written are whole powers, square roots and the functions that kinematics needs;
+    InputError for all else, for another language, and for names that are none there.
 
     >>> x, y = sp.symbols("x y", real=True)
     >>> print(code(sp.sqrt(x**2 + y**2), (x, y), name="far", about="In the unit of x and y."))
@@ -61,17 +87,15 @@ def code(
     end
     <BLANKLINE>
     """
-    if language not in PRINTERS:
+    if not isinstance(language, str) or language not in PRINTERS:
         raise InputError(f"A formula is written in {', '.join(PRINTERS)}; {shortened(language)} was given.")
+    if not isinstance(about, str) or "*/" in about:
+        raise InputError(f"A comment is text without */; {shortened(about)} was given.")
     read_vectors, matrix, shape = read(expr, vectors)
     arguments, entries = _arguments(read_vectors, matrix.free_symbols)
     names = [name, "out", *entries, *(str(symbol) for vector in read_vectors for symbol in vector)]
-    for one in names:
-        if not (isinstance(one, str) and one.isidentifier() and one not in PRINTERS[language].reserved_words):
-            raise InputError(f"{shortened(one)} cannot be a name in {language}: letters, digits and _ can.")
-        if names.count(one) > 1:
-            raise InputError(f"Two things would be called {one}.")
-    steps, results = _steps(_guarded(matrix, GUARDED[language]), set(names))
+    _check_names(names, language)
+    steps, results = _steps(_guarded(_writable(matrix), GUARDED[language]), set(names))
     try:
         assigned = [_assigned(symbol, step, language) for step, symbol in steps.items()]
         printed = [_flat(PRINTERS[language].doprint(entry)) for entry in results]
@@ -85,6 +109,19 @@ def code(
     return text + "".join(GUARD[language].format(f=f, inside=inside) for f, inside in guards.items())
 
 
+def _check_names(names: list[str], language: str) -> None:
+    """InputError where one cannot be a name in this language, or stands for two things."""
+    for one in names:
+        if not (isinstance(one, str) and NAME.fullmatch(one)):
+            raise InputError(
+                f"{shortened(one)} cannot be a name: a letter, then letters a to z, digits and _, can."
+            )
+        if one in CALLED or one in PRINTERS[language].reserved_words:
+            raise InputError(f"{one} cannot be a name in {language}, where it means something else.")
+        if names.count(one) > 1:
+            raise InputError(f"Two things would be called {one}.")
+
+
 def _arguments(vectors: tuple, used: set[sp.Symbol]) -> tuple[dict[str, int], dict[str, dict[str, int]]]:
     """The arguments with their sizes; and of each that is an array, where in it the symbols are that are used."""
     arguments, entries = {}, {}
@@ -96,12 +133,20 @@ def _arguments(vectors: tuple, used: set[sp.Symbol]) -> tuple[dict[str, int], di
     return arguments, entries
 
 
+def _writable(matrix: sp.MatrixBase) -> sp.MatrixBase:
+    """``matrix`` with large whole numbers as floats; InputError where it holds what is not written."""
+    roots = {power for power in matrix.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q == 2}
+    may_be_nan = {root for root in roots if not root.base.is_nonnegative} | matrix.atoms(sp.acos, sp.asin)
+    for part in matrix.atoms(sp.Function, sp.Pow, *CHOICES):
+        fits = isinstance(part, WRITABLE) or (isinstance(part, sp.Pow) and (2 * part.exp).is_Integer)
+        if not fits or (isinstance(part, CHOICES) and may_be_nan.intersection(sp.preorder_traversal(part))):
+            raise InputError(f"{shortened(part)} cannot be written.")
+    return matrix.xreplace({n: sp.Float(n) for n in matrix.atoms(sp.Integer) if abs(n) >= LARGEST})
+
+
 def _guarded(matrix: sp.MatrixBase, guarded: dict[str, str]) -> sp.MatrixBase:
     """``matrix`` with functions that may leave their domain under the names of their guards."""
     guards = {f: sp.Function(f"real_{f}", real=True) for f in guarded}
-    for power in matrix.atoms(sp.Pow):
-        if power.base != sp.E and not (2 * power.exp).is_Integer:
-            raise InputError(f"{power} cannot be written: whole powers and square roots can.")
     for function, f in FUNCTIONS.items():
         if f in guards:
             matrix = matrix.replace(function, guards[f])
@@ -149,7 +194,9 @@ def _flat(text: str) -> str:
 
 def _matlab(head: tuple, entries: dict, steps: list[str], rows: list[list[str]], shape: tuple[int, ...]) -> str:
     name, about, arguments = head
-    unpacked = [" ".join(f"{x} = {argument}({i + 1});" for x, i in of.items()) for argument, of in entries.items()]
+    unpacked = [
+        " ".join(f"{x} = {argument}({i + 1});" for x, i in of.items()) for argument, of in entries.items() if of
+    ]
     values = ";\n         ".join(map(", ".join, rows))
     values = f"[{values}]" if shape else values
     lines = [*(f"% {line}" for line in about), *unpacked, *steps, f"out = {values};"]
@@ -158,7 +205,9 @@ def _matlab(head: tuple, entries: dict, steps: list[str], rows: list[list[str]],
 
 def _python(head: tuple, entries: dict, steps: list[str], rows: list[list[str]], shape: tuple[int, ...]) -> str:
     name, about, arguments = head
-    unpacked = ["; ".join(f"{x} = {argument}[{i}]" for x, i in of.items()) for argument, of in entries.items()]
+    unpacked = [
+        "; ".join(f"{x} = {argument}[{i}]" for x, i in of.items()) for argument, of in entries.items() if of
+    ]
     lists = [f"[{', '.join(row)}]" for row in rows] if shape else rows[0]
     value = lists[0] if len(shape) < 2 else "[\n        " + ",\n        ".join(lists) + ",\n    ]"
     lines = [*(f"# {line}" for line in about), *unpacked, *steps, f"return {value}"]
@@ -170,7 +219,9 @@ def _c(head: tuple, entries: dict, steps: list[str], rows: list[list[str]], shap
     declared = [f"const double {one}[{n}]" if one in entries else f"double {one}" for one, n in arguments.items()]
     if shape:
         declared.append("double out" + "".join(f"[{n}]" for n in shape))
-    unpacked = [", ".join(f"{x} = {argument}[{i}]" for x, i in of.items()) for argument, of in entries.items()]
+    unpacked = [
+        ", ".join(f"{x} = {argument}[{i}]" for x, i in of.items()) for argument, of in entries.items() if of
+    ]
     lines = [*(f"/* {line} */" for line in about), *(f"const double {step};" for step in [*unpacked, *steps])]
     if not shape:
         lines.append(f"return {rows[0][0]};")

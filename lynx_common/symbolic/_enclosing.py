@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from .. import reading
 from ..errors import InputError
+from ._door import read
 
 EPS = np.finfo(float).eps
 EXACT = 2**53  # floats hold whole numbers up to here
@@ -47,20 +48,17 @@ def enclose(expr: Any, *vectors: Sequence[sp.Symbol]) -> Callable[..., Interval]
     >>> float(lower.round(9)), float(upper.round(9))
     (-0.5, 0.25)
     """
-    matrix = reading.formulas(expr)
-    single = isinstance(expr, sp.Expr) and not isinstance(expr, sp.MatrixBase)
-    shape = () if single else matrix.shape[: 1 if matrix.shape[1] == 1 else 2]
-    symbols = [symbol for vector in vectors for symbol in vector]
-    if missing := matrix.free_symbols.difference(symbols):
-        names = ", ".join(sorted(map(str, missing)))
-        raise InputError(f"The expression also holds {names}, which none of the vectors of symbols lists.")
+    read_vectors, matrix, shape = read(expr, vectors)
+    symbols = [symbol for vector in read_vectors for symbol in vector]
     steps, results = sp.cse(list(matrix), order="canonical")
     _check([entry for _, entry in steps] + list(results))
 
     def f(*boxes: ArrayLike) -> Interval:
-        read = [_box(box, tuple(vector)) for box, vector in zip(boxes, vectors, strict=True)]
-        batch = np.broadcast_shapes(*(box.shape[:-2] for box in read))
-        ends = [end for box in read for end in np.moveaxis(box, (-2, -1), (0, 1))]
+        if len(boxes) != len(read_vectors):
+            raise InputError(f"One box for each of {len(read_vectors)} vectors is expected, not {len(boxes)}.")
+        given = [_box(box, vector) for box, vector in zip(boxes, read_vectors, strict=True)]
+        batch = np.broadcast_shapes(*(box.shape[:-2] for box in given))
+        ends = [end for box in given for end in np.moveaxis(box, (-2, -1), (0, 1))]
         known: dict[sp.Basic, Interval] = dict(zip(symbols, map(tuple, ends), strict=True))
         with np.errstate(all="ignore"):
             for symbol, entry in steps:

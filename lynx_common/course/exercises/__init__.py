@@ -15,10 +15,11 @@ exercises runs to its end.
 import functools
 from collections.abc import Callable
 from importlib import import_module
+from numbers import Integral
 
 from IPython.display import Markdown
 
-from ...errors import UnknownNameError, WrongAnswerError
+from ...errors import InputError, UnknownNameError, WrongAnswerError
 from . import reader
 from .exercise import NOT_ATTEMPTED, RIGHT, Exercise
 
@@ -61,7 +62,7 @@ def hint(name: str, number: int = 1) -> None:
 
     def said(key: str, exercise: Exercise) -> str:
         count = len(exercise.hints)
-        if not isinstance(number, int) or not 1 <= number <= count:
+        if not isinstance(number, Integral) or isinstance(number, bool) or not 1 <= number <= count:
             return f'{key} has hints 1 to {count}; beyond them there is exercises.solution("{key}").'
         more = f' (More: exercises.hint("{key}", {number + 1}))' if number < count else ""
         reader.note(key, hint=int(number))
@@ -97,8 +98,10 @@ def find(name: str, student: str | None = None) -> Exercise:
     """The exercise of this name (small letters will do), with the numbers of a student.
 
     None is the reader of this process; an empty name stands for the numbers that are printed. Raises
-    UnknownNameError.
+    UnknownNameError, and InputError for a student whose name is no text.
     """
+    if not isinstance(student, str | None):
+        raise InputError(f"A student's name is text; an object of type {type(student).__name__:.40} was given.")
     if not isinstance(name, str):
         raise UnknownNameError("exercise with a name of type", type(name).__name__, list(catalogue()))
     # What is right and wrong is computed on import, which takes time; so a notebook imports its own only.

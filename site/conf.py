@@ -48,7 +48,7 @@ html_additional_pages = {"index": "front.html"}
 html_css_files = ["course.css"]
 html_js_files = [("course.js", {"defer": "defer"})]
 html_sourcelink_suffix = ""  # the notebooks themselves are what can be taken away
-html_show_sphinx = html_use_index = False
+html_show_sphinx = html_show_copyright = html_use_index = False
 
 
 def prepare(app, docname, source):

@@ -191,7 +191,6 @@ WRONG = {
         (MODES[5] + [0.1, 0, 0], REST),
     ],
     "P2.3": [(0.23, "right in metres"), (200, REST), (240, REST)],
-    "P2.7": [(41.41, "right in degrees"), (1, REST), (0.7, REST)],
     "P2.4": [
         ([-62.51, 62.51], "right in degrees"),
         ([1.091, 1.091], "these are equal"),
@@ -215,6 +214,7 @@ WRONG = {
         ([1000, 500, 100], REST),
         ([600, -800, 0], REST),
     ],
+    "P2.7": [(41.41, "right in degrees"), (1, REST), (0.7, REST)],
     "P3.1": [
         ([[2, 2, 1, 1, 3], [4, 3, 4, 4, 3]], "5 of the 10 numbers are wrong"),
         ([[2, 2, 1, 2, 3], [3, 4, 3, 4, 4]], "2 of the 10 numbers are wrong"),

@@ -208,6 +208,14 @@ def test_what_would_be_computed_otherwise_is_not_written(wrong):
             code(wrong, (x,), name="f", language=language)
 
 
+def test_a_vector_is_taken_apart_in_lines_that_can_be_read():
+    lines = code(rrr.formulas.working_modes(), POSE, DESIGN, name="ik").splitlines()
+    taken = [line for line in lines if re.search(r"\b(?:pose|design)\(\d+\)", line)]
+    assert max(map(len, taken)) <= 115
+    entries = re.findall(r"(\w+) = \w+\(\d+\);", " ".join(taken))
+    assert entries == [symbol.name for symbol in (*POSE, *DESIGN)]
+
+
 def test_what_cannot_be_written_gets_a_sentence():
     with pytest.raises(InputError, match="matlab, python, c; 'fortran' was given"):
         code(x, (x,), name="f", language="fortran")

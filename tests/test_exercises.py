@@ -191,14 +191,13 @@ WRONG = {
         (MODES[5] + [0.1, 0, 0], REST),
     ],
     "P2.3": [(0.23, "right in metres"), (200, REST), (240, REST)],
-    "P2.4": [(41.41, "right in degrees"), (1, REST), (0.7, REST)],
-    "P2.5": [
+    "P2.4": [
         ([-62.51, 62.51], "right in degrees"),
         ([1.091, 1.091], "these are equal"),
         ([-1, 1], REST),
         ([-1.2, 1.2], REST),
     ],
-    "P2.6": [
+    "P2.5": [
         ([0.26458, 0.0001015], "right in metres"),
         ([CARRIED - 150, LONGER], "the legs are stretched"),
         ([np.sqrt(1e5), LONGER], "a turn of 90 deg"),
@@ -210,11 +209,12 @@ WRONG = {
         ([170, LONGER], "S_A is not right, the lengthening is right"),
         ([260, 0.2], REST),
     ],
-    "P2.7": [
+    "P2.6": [
         (-part2.TORQUES, "but for a sign"),
         ([1000, 500, 100], REST),
         ([600, -800, 0], REST),
     ],
+    "P2.7": [(41.41, "right in degrees"), (1, REST), (0.7, REST)],
     "P3.1": [
         ([[2, 2, 1, 1, 3], [4, 3, 4, 4, 3]], "5 of the 10 numbers are wrong"),
         ([[2, 2, 1, 2, 3], [3, 4, 3, 4, 4]], "2 of the 10 numbers are wrong"),

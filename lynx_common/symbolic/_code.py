@@ -192,10 +192,16 @@ def _flat(text: str) -> str:
     return " ".join(text.split()).replace("( ", "(").replace(" )", ")")
 
 
+def _in_fives(statements: list[str]) -> list[list[str]]:
+    return [statements[i : i + 5] for i in range(0, len(statements), 5)]
+
+
 def _matlab(head: tuple, entries: dict, steps: list[str], rows: list[list[str]], shape: tuple[int, ...]) -> str:
     name, about, arguments = head
     unpacked = [
-        " ".join(f"{x} = {argument}({i + 1});" for x, i in of.items()) for argument, of in entries.items() if of
+        " ".join(group)
+        for argument, of in entries.items()
+        for group in _in_fives([f"{x} = {argument}({i + 1});" for x, i in of.items()])
     ]
     values = ";\n         ".join(map(", ".join, rows))
     values = f"[{values}]" if shape else values

@@ -34,7 +34,7 @@ def other_legs(mode: int) -> str:
 R_BASE, R_PLATFORM, S_A = 250, 100, 120
 
 
-# P2.4: a third robot.
+# P2.7: a third robot.
 def corner(base: float, platform: float, driven: float, distal: float) -> float:
     """The turn at which the distal links point to the middle, from the triangle of PB, M and the origin."""
     elbow = platform + distal
@@ -42,7 +42,7 @@ def corner(base: float, platform: float, driven: float, distal: float) -> float:
 
 
 def loose_platform(r_base: int, r_platform: int, S_A: int, L: int) -> Exercise:
-    """P2.4, for a robot of these lengths, in mm."""
+    """P2.7, for a robot of these lengths, in mm."""
     elbow, loose = r_platform + L, corner(r_base, r_platform, S_A, L)
     stretched = float(np.arccos((r_base**2 + r_platform**2 - (S_A + L) ** 2) / (2 * r_base * r_platform)))
     return Exercise(
@@ -70,12 +70,12 @@ def loose_platform(r_base: int, r_platform: int, S_A: int, L: int) -> Exercise:
         "$\\alpha$ against $PB_i$. The law of cosines: "
         f"$\\cos\\alpha = ({r_base}^2 + {elbow}^2 - {S_A}^2) / (2 \\cdot {r_base} \\cdot {elbow}) = "
         f"{np.cos(loose):.4f}$.",
-        code=f"answer_4 = np.arccos(({r_base}**2 + {elbow}**2 - {S_A}**2) / (2 * {r_base} * {elbow}))",
+        code=f"answer_7 = np.arccos(({r_base}**2 + {elbow}**2 - {S_A}**2) / (2 * {r_base} * {elbow}))",
     )
 
 
-# P2.5 and P2.6: triangles with a corner in the middle. The driven links of P2.5 end S_A short of it; the robot of
-# P2.6 is the printed one of P2.4.
+# P2.4 and P2.5: triangles with a corner in the middle. The driven links of P2.4 end S_A short of it; the robot of
+# P2.5 is the printed one of P2.7.
 BOTH = np.array([-1, 1])
 BASE, PLATFORM, DISTAL = 300, 100, 150
 
@@ -98,7 +98,7 @@ def entry_is(which: int, known: float) -> Callable[[np.ndarray], bool]:
 POINTED = turns(290 - 170)
 CARRIED, LONGER = side(BASE, PLATFORM, 60), side(PLATFORM, PLATFORM + DISTAL, 2) - DISTAL
 
-# P2.7: the force, and A^-1 B with all legs bent to the left or to the right.
+# P2.6: the force, and A^-1 B with all legs bent to the left or to the right.
 PUSH, NEEDLE = np.array([6, -8, 0]), np.array([30, -40, 0.2])
 LEFT, RIGHT = (np.linalg.solve(*rrr.jacobians(NEEDLE, rrr.inverse_kinematics(NEEDLE)[mode])) for mode in (0, 7))
 TORQUES = PUSH @ LEFT
@@ -157,14 +157,14 @@ EXERCISES = {
             "For one leg: the direction of PP_i - PB_i, and the angle at the motor by the law of cosines.",
             "A leg bends to the left where the angle at the motor is taken off, to the right where it is added.",
         ),
-        explanation="With $u = PP_i - PB_i$, $\\delta = \\operatorname{atan2}(u_y, u_x)$ and "
-        "$\\cos\\beta = (|u|^2 + 170^2 - 130^2) / (2 \\cdot 170\\, |u|)$ it is $\\theta_i = \\delta - \\beta$ "
-        "for $+$ and $\\delta + \\beta$ for $-$: $-91.24°$, $3.77°$, $153.36°$.",
+        explanation="With $\\rho$ for the length and $\\delta$ for the direction of $PP_i - PB_i$, and "
+        "$\\cos\\eta = (\\rho^2 + 170^2 - 130^2) / (2 \\cdot 170\\, \\rho)$, it is $\\theta_i = \\delta - \\eta$ "
+        "for $+$ and $\\delta + \\eta$ for $-$: $-91.24°$, $3.77°$, $153.36°$.",
         code="pose = [-60, 80, np.deg2rad(20)]\n"
-        "u = rrr.platform_joints(pose) - rrr.base_joints()\n"
-        "length = np.linalg.norm(u, axis=1)\n"
-        "beta = np.arccos((length**2 + 170**2 - 130**2) / (2 * 170 * length))\n"
-        "answer_2 = np.arctan2(u[:, 1], u[:, 0]) - np.array([-1, 1, -1]) * beta",
+        "leg = rrr.platform_joints(pose) - rrr.base_joints()\n"
+        "rho = np.linalg.norm(leg, axis=1)\n"
+        "eta = np.arccos((rho**2 + 170**2 - 130**2) / (2 * 170 * rho))\n"
+        "answer_2 = np.arctan2(leg[:, 1], leg[:, 0]) - np.array([-1, 1, -1]) * eta",
     ),
     "P2.3": Exercise(
         form=Form(()),
@@ -185,7 +185,7 @@ EXERCISES = {
         "So $S_A + L \\ge 350$, which makes $L \\ge 230$ mm; and $|S_A - L| \\le 150$ holds for it, $110$.",
         code="r_base, r_platform, S_A = 250, 100, 120\nanswer_3 = r_base + r_platform - S_A",
     ),
-    "P2.5": Exercise(
+    "P2.4": Exercise(
         form=Form((2,)),
         unit="radians",
         right=POINTED,
@@ -203,9 +203,9 @@ EXERCISES = {
         explanation="The elbows are 120 mm from the middle, $PP_i$ is 130 mm from it, at $\\alpha$ to them. "
         "The triangle closes: $\\cos\\alpha = (120^2 + 130^2 - 130^2) / (2 \\cdot 120 \\cdot 130)$, so "
         "$\\alpha = \\pm 62.51°$. At $-$ the legs all bend to the left, at $+$ all to the right.",
-        code="tilt = np.arccos((120**2 + 130**2 - 130**2) / (2 * 120 * 130))\nanswer_5 = [-tilt, tilt]",
+        code="tilt = np.arccos((120**2 + 130**2 - 130**2) / (2 * 120 * 130))\nanswer_4 = [-tilt, tilt]",
     ),
-    "P2.6": Exercise(
+    "P2.5": Exercise(
         form=Form((2,)),
         unit="millimetres",
         right=[CARRIED, LONGER],
@@ -229,9 +229,9 @@ EXERCISES = {
         "$\\sqrt{100^2 + 250^2 - 2 \\cdot 100 \\cdot 250 \\cos 2°} - 150 = 0.1015$ mm: it hardly resists.",
         code="d_60 = np.sqrt(300**2 + 100**2 - 2 * 300 * 100 * np.cos(np.deg2rad(60)))\n"
         "link = np.sqrt(100**2 + 250**2 - 2 * 100 * 250 * np.cos(np.deg2rad(2)))\n"
-        "answer_6 = [d_60, link - 150]",
+        "answer_5 = [d_60, link - 150]",
     ),
-    "P2.7": Exercise(
+    "P2.6": Exercise(
         form=Form((3,)),
         right=TORQUES,
         misconceptions=(
@@ -248,10 +248,10 @@ EXERCISES = {
         "three equations of statics of the platform, with $L\\lambda_i$ the force along distal link $i$; motor "
         "$i$ holds its own link, $\\tau_i = B_{ii}\\lambda_i$.",
         code="at = [30, -40, 0.2]\n"
-        "A_7, B_7 = rrr.jacobians(at, rrr.inverse_kinematics(at)[0])\n"
-        "answer_7 = B_7 @ np.linalg.solve(A_7.T, [6, -8, 0])",
+        "A_6, B_6 = rrr.jacobians(at, rrr.inverse_kinematics(at)[0])\n"
+        "answer_6 = B_6 @ np.linalg.solve(A_6.T, [6, -8, 0])",
     ),
-    "P2.4": Own(
+    "P2.7": Own(
         loose_platform,
         {
             "r_base": (300, 290, 310, 2),

@@ -38,7 +38,7 @@ ELBOW = INNER * sp.exp(sp.I * theta_1)
 HAND = ELBOW + OUTER * sp.exp(sp.I * (theta_1 + theta_2))
 SCARA = dh.chain([dh.Row(INNER, 0, COLUMN, theta_1), dh.Row(OUTER, sp.pi, 0, theta_2), dh.Row(0, 0, d_3, 0)])[-1]
 MODES = rrr.inverse_kinematics(part2.POSE)
-FORCE, TIP = np.split(np.array(CATALOGUE["P3.4"].numbers), 2)
+FORCE, TIP = np.split(np.array(CATALOGUE["P3.2"].numbers), 2)
 CARRIED, LONGER = part2.CARRIED, part2.LONGER
 AT_PILLAR = (0.25 + 0.17 + 0.03) / np.hypot(1, 0.2)
 
@@ -100,8 +100,8 @@ ALSO_RIGHT = {
     "B3.3": [2.064],
     "P2.1": [165.2, sp.Matrix([[165.24]])],
     "P2.2": [MODES[5] + np.array([2, -4, 0]) * pi],
-    "P3.6": [[0.0912967, 2.282826]],  # not to second order, but exactly
-    "P3.4": [np.cross(TIP, FORCE)[[2, 2, 2, 0, 1, 2]] * [0, 0, 0, 1, 1, 0]],
+    "P3.2": [np.cross(TIP, FORCE)[[2, 2, 2, 0, 1, 2]] * [0, 0, 0, 1, 1, 0]],
+    "P3.3": [[0.0912967, 2.282826]],  # not to second order, but exactly
 }
 
 # Wrong answers that no pair of the catalogue holds as it stands: rivals, patterns, other units, other shapes.
@@ -221,9 +221,7 @@ WRONG = {
         ([[2, 2, 1, 1, 3], [3, 3, 3, 4, 4]], "2 of the 10 numbers are wrong"),
         ([2, 2, 1, 1, 3], "2 rows of 5 numbers are expected; 5 numbers were given"),
     ],
-    "P3.2": [([3, 3, 1, 4], "each of the numbers 1 to 4"), ([2, 3, 1, 4], "2 of the 4 numbers are wrong")],
-    "P3.3": [(50.21, "right in degrees"), (0.9763, REST), (0.8, REST)],
-    "P3.4": [
+    "P3.2": [
         ([8, 6, 30, 1.2, -2.3, 0.14], "the whole load"),
         ([0, 0, 30, 1.2, -2.3, 0], "the slide can move along z"),
         ([0, 0, 0, 1.2, -2.3, 0.14], "turn its gripper about z"),
@@ -235,21 +233,23 @@ WRONG = {
         ([0, 0, 0, 1.2e-5, -2.3e-5, 0], REST),
         ([1, 1, 1, 1, 1, 1], REST),
     ],
-    "P3.5": [
-        ([1.25, 0.1479], "half of 1/lambda"),
-        ([0.625, 0.9584], "share that is left"),
-        ([0.625, 0.0666], "no share"),
-        ([0.625, 0.3195], "joint speed"),
-        ([0.8, 0.0664], REST),
-        ([0.625, 0.0418], "the damping is right, the share is not right"),
-    ],
-    "P3.6": [
+    "P3.3": [
         ([5.230, 2.282], "right in degrees"),
         ([0.06455, 1.614], "the half of the second-order term"),
         ([0.09129, 4.564], "the mean one"),
         ([0.1, 2.282], "the bend is not right, the speed is right"),
         ([0.2, 3.0], REST),
         (0.09129, "one number was given"),
+    ],
+    "P3.4": [([3, 3, 1, 4], "each of the numbers 1 to 4"), ([2, 3, 1, 4], "2 of the 4 numbers are wrong")],
+    "P3.5": [(50.21, "right in degrees"), (0.9763, REST), (0.8, REST)],
+    "P3.6": [
+        ([1.25, 0.1479], "half of 1/lambda"),
+        ([0.625, 0.9584], "share that is left"),
+        ([0.625, 0.0666], "no share"),
+        ([0.625, 0.3195], "joint speed"),
+        ([0.8, 0.0664], REST),
+        ([0.625, 0.0418], "the damping is right, the share is not right"),
     ],
 }
 

@@ -107,8 +107,8 @@ MARGINS = {
     "B2.3": neither_folded_nor_stretched,
     "B3.3": in_the_way_but_not_at_the_ends,
     "P2.7": one_loose_pose,
-    "P3.4": moments_that_count,
-    "P3.5": a_share_that_is_small,
+    "P3.2": moments_that_count,
+    "P3.6": a_share_that_is_small,
 }
 
 

@@ -1,4 +1,4 @@
-"""Exercises of Part 3: ranks, an order, a wrist, what a structure carries, damping, second order."""
+"""Exercises of Part 3: ranks, what a structure carries, second order, an order, a wrist, damping."""
 
 import numpy as np
 
@@ -13,25 +13,10 @@ POSITION_FOR_ALL = (
     "still turns it."
 )
 
-# P3.2: four postures, and what their order would be by other measures.
-NEAREST_FIRST = np.array([3, 2, 1, 4])  # smallest singular values 5.08, 4.23, 1.55 and 7.07
-BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4])  # determinants -1534, 366, -633 and 750
-BY_MAGNITUDE = np.array([2, 3, 4, 1])
-BY_SHOULDER = np.array([2, 4, 1, 3])  # |r| is 16.32, 4.23, 18.51 and 8.66
-SIGN = (
-    "the sign of the determinant is taken for its size: the sign only tells on which side of a singularity "
-    "the arm is, not how near."
-)
-MAGNITUDE = "this is the order of the determinant's magnitude; a small factor may hide in a product."
 
-# P3.3: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
-LEAST = 0.6
-LEAN = float(np.arccos(1 - LEAST**2))
-
-
-# P3.4: what a SCARA arm carries without any motor.
+# P3.2: what a SCARA arm carries without any motor.
 def carried(f_x: float, f_y: float, f_z: float, x: float, y: float, z: float) -> Exercise:
-    """P3.4, for a force, in N, and the point of the tool that it acts on, seen from the gripper, in metres."""
+    """P3.2, for a force, in N, and the point of the tool that it acts on, seen from the gripper, in metres."""
     m_x, m_y, m_z = np.cross([x, y, z], [f_x, f_y, f_z])
     return Exercise(
         form=Form((6,)),
@@ -70,12 +55,38 @@ def carried(f_x: float, f_y: float, f_z: float, x: float, y: float, z: float) ->
         "twists = np.column_stack([*axes, screws.prismatic([0, 0, 1])])\n"
         f"force, tip = [{f_x:g}, {f_y:g}, {f_z:g}], [{x:g}, {y:g}, {z:g}]\n"
         "load, free = np.append(force, np.cross(tip, force)), screws.reciprocal_system(twists)\n"
-        "answer_4 = free @ np.linalg.lstsq(free, load)[0]  # the part of the load that the columns of free span",
+        "answer_2 = free @ np.linalg.lstsq(free, load)[0]  # the part of the load that the columns of free span",
     )
 
 
+# P3.3: a stretched arm, pushed in a little: to second order by L_1 L_2 / (L_1 + L_2) / 2 times the bend squared.
+SHORTER, FOLD = 0.02, 12 * 8 / (12 + 8)
+
+
+def bend_and_speed(fold: float) -> list[float]:
+    """Bend, and its rate while the end moves inward at 1 unit/s, where it has come in by fold / 2 * bend**2."""
+    bend = (2 * SHORTER / fold) ** 0.5
+    return [bend, 1 / (fold * bend)]
+
+
+# P3.4: four postures, and what their order would be by other measures.
+NEAREST_FIRST = np.array([3, 2, 1, 4])  # smallest singular values 5.08, 4.23, 1.55 and 7.07
+BY_SIGNED_DETERMINANT = np.array([1, 3, 2, 4])  # determinants -1534, 366, -633 and 750
+BY_MAGNITUDE = np.array([2, 3, 4, 1])
+BY_SHOULDER = np.array([2, 4, 1, 3])  # |r| is 16.32, 4.23, 18.51 and 8.66
+SIGN = (
+    "the sign of the determinant is taken for its size: the sign only tells on which side of a singularity "
+    "the arm is, not how near."
+)
+MAGNITUDE = "this is the order of the determinant's magnitude; a small factor may hide in a product."
+
+# P3.5: a wrist with axes z, y and (sin beta, 0, cos beta); singular values sqrt(1 + cos), 1, sqrt(1 - cos).
+LEAST = 0.6
+LEAN = float(np.arccos(1 - LEAST**2))
+
+
 def damped(limit: float, sigma: float) -> Exercise:
-    """P3.5: the joint speed allowed, in rad/s, and the singular value in whose direction something is lost."""
+    """P3.6: the joint speed allowed, in rad/s, and the singular value in whose direction something is lost."""
 
     def share_lost(damping: float) -> float:
         return damping**2 / (damping**2 + sigma**2)
@@ -108,18 +119,8 @@ def damped(limit: float, sigma: float) -> Exercise:
         explanation="The joint speed is never more than $1/(2\\lambda)$ for 1 unit/s, so "
         f"$\\lambda = 1/(2 \\cdot {limit}) = {damping:.4g}$ units per rad. At $\\sigma = {sigma:g}$ it costs "
         f"$\\lambda^2/(\\sigma^2 + \\lambda^2) = {share:.4f}$ of the motion.",
-        code=f"damping = 1 / (2 * {limit})\nanswer_5 = [damping, damping**2 / (damping**2 + {sigma:g}**2)]",
+        code=f"damping = 1 / (2 * {limit})\nanswer_6 = [damping, damping**2 / (damping**2 + {sigma:g}**2)]",
     )
-
-
-# P3.6: a stretched arm, pushed in a little: to second order by L_1 L_2 / (L_1 + L_2) / 2 times the bend squared.
-SHORTER, FOLD = 0.02, 12 * 8 / (12 + 8)
-
-
-def bend_and_speed(fold: float) -> list[float]:
-    """Bend, and its rate while the end moves inward at 1 unit/s, where it has come in by fold / 2 * bend**2."""
-    bend = (2 * SHORTER / fold) ** 0.5
-    return [bend, 1 / (fold * bend)]
 
 
 EXERCISES = {
@@ -165,7 +166,45 @@ EXERCISES = {
         "whole_J = arm.jacobian(postures, arm.Geometry(5, 10, 10, 0))[..., :4]\n"
         "answer_1 = [np.linalg.matrix_rank(M, tol=1e-9) for M in (whole_J[:, :3, :3], whole_J)]",
     ),
-    "P3.2": Exercise(
+    "P3.2": Own(
+        carried,
+        {
+            "f_x": (8, 5, 9, 1),
+            "f_y": (6, 6, 9, 1),
+            "f_z": (30, 20, 40, 1),
+            "x": (0.05, 0.05, 0.08, 0.01),
+            "y": (0.02, 0.01, 0.02, 0.005),
+            "z": (-0.1, -0.12, -0.08, 0.01),
+        },
+    ),
+    "P3.3": Exercise(
+        form=Form((2,)),
+        unit=("radians", ""),
+        parts={"the bend is": 0, "the speed is": 1},
+        right=bend_and_speed(FOLD),
+        misconceptions=(
+            (bend_and_speed(2 * FOLD), "the half of the second-order term is missing."),
+            (
+                bend_and_speed(12 * 8 * (12 + 8)),
+                "this is t, the share of the kernel; the elbow turns by L_1 + L_2 times as much.",
+            ),
+            (bend_and_speed(10 * 10 / (10 + 10)), "these are the links of this section's arm, not 12 and 8."),
+            (
+                [bend_and_speed(FOLD)[0], bend_and_speed(FOLD)[0] / SHORTER],
+                "the speed is the mean one since full stretch; it is not constant, and that just then is asked.",
+            ),
+        ),
+        hints=(
+            "The kernel at full stretch is (-L_2, L_1 + L_2): with a share t the elbow bends by (L_1 + L_2) t.",
+            "The end comes inward by L_1 L_2 bend^2 / (2 (L_1 + L_2)). Solve for the bend; differentiate by time.",
+        ),
+        explanation="With the share $t$ of the kernel the end comes inward by $L_1 L_2 (L_1 + L_2)\\,t^2/2$, and "
+        "the elbow bends by $\\theta_3 = (L_1 + L_2)\\,t$. So it is $\\delta = L_1 L_2\\,\\theta_3^2 / "
+        "(2 (L_1 + L_2)) = 2.4\\,\\theta_3^2$. At $\\delta = 0.02$ that is 0.09129 rad, 5.2°. And $\\dot\\delta = "
+        "4.8\\,\\theta_3 \\dot\\theta_3 = 1$ gives 2.282 rad/s.",
+        code="bend = np.sqrt(0.02 / 2.4)\nanswer_3 = [bend, 1 / (4.8 * bend)]",
+    ),
+    "P3.4": Exercise(
         form=Form((4,)),
         choices=(1, 2, 3, 4),
         right=NEAREST_FIRST,
@@ -189,9 +228,9 @@ EXERCISES = {
         code="postures = np.zeros((4, 5))\n"
         "postures[:, 1:3] = np.deg2rad([[-30, 70], [125, -120], [10, 20], [90, -120]])\n"
         "J_p = arm.jacobian(postures, arm.Geometry(5, 10, 10, 0))[..., :3, :3]\n"
-        "answer_2 = np.argsort(np.linalg.svd(J_p, compute_uv=False)[:, -1]) + 1",
+        "answer_4 = np.argsort(np.linalg.svd(J_p, compute_uv=False)[:, -1]) + 1",
     ),
-    "P3.3": Exercise(
+    "P3.5": Exercise(
         form=Form(()),
         unit="radians",
         right=LEAN,
@@ -218,45 +257,7 @@ EXERCISES = {
         "so the smallest singular value is $\\sqrt{1 - \\cos\\beta}$. "
         "It is 0.6 at $\\cos\\beta = 0.64$: $\\beta = 0.8763$ rad, 50.2°. "
         "The determinant there is $\\sin\\beta = 0.77$.",
-        code="answer_3 = np.arccos(1 - 0.6**2)",
+        code="answer_5 = np.arccos(1 - 0.6**2)",
     ),
-    "P3.4": Own(
-        carried,
-        {
-            "f_x": (8, 5, 9, 1),
-            "f_y": (6, 6, 9, 1),
-            "f_z": (30, 20, 40, 1),
-            "x": (0.05, 0.05, 0.08, 0.01),
-            "y": (0.02, 0.01, 0.02, 0.005),
-            "z": (-0.1, -0.12, -0.08, 0.01),
-        },
-    ),
-    "P3.6": Exercise(
-        form=Form((2,)),
-        unit=("radians", ""),
-        parts={"the bend is": 0, "the speed is": 1},
-        right=bend_and_speed(FOLD),
-        misconceptions=(
-            (bend_and_speed(2 * FOLD), "the half of the second-order term is missing."),
-            (
-                bend_and_speed(12 * 8 * (12 + 8)),
-                "this is t, the share of the kernel; the elbow turns by L_1 + L_2 times as much.",
-            ),
-            (bend_and_speed(10 * 10 / (10 + 10)), "these are the links of this section's arm, not 12 and 8."),
-            (
-                [bend_and_speed(FOLD)[0], bend_and_speed(FOLD)[0] / SHORTER],
-                "the speed is the mean one since full stretch; it is not constant, and that just then is asked.",
-            ),
-        ),
-        hints=(
-            "The kernel at full stretch is (-L_2, L_1 + L_2): with a share t the elbow bends by (L_1 + L_2) t.",
-            "The end comes inward by L_1 L_2 bend^2 / (2 (L_1 + L_2)). Solve for the bend; differentiate by time.",
-        ),
-        explanation="With the share $t$ of the kernel the end comes inward by $L_1 L_2 (L_1 + L_2)\\,t^2/2$, and "
-        "the elbow bends by $\\theta_3 = (L_1 + L_2)\\,t$. So it is $\\delta = L_1 L_2\\,\\theta_3^2 / "
-        "(2 (L_1 + L_2)) = 2.4\\,\\theta_3^2$. At $\\delta = 0.02$ that is 0.09129 rad, 5.2°. And $\\dot\\delta = "
-        "4.8\\,\\theta_3 \\dot\\theta_3 = 1$ gives 2.282 rad/s.",
-        code="bend = np.sqrt(0.02 / 2.4)\nanswer_6 = [bend, 1 / (4.8 * bend)]",
-    ),
-    "P3.5": Own(damped, {"limit": (0.8, 0.6, 1.2, 0.02), "sigma": (3, 2, 5, 0.1)}),
+    "P3.6": Own(damped, {"limit": (0.8, 0.6, 1.2, 0.02), "sigma": (3, 2, 5, 0.1)}),
 }

@@ -35,6 +35,7 @@ SECONDS = 60  # of computing, for a notebook; the slowest needs 14
 WAIT = 300  # seconds in all: for one that sleeps, and on Windows
 BYTES = 4 * 2**30
 LARGEST, LONGEST = 10**6, 300  # bytes that a notebook's process writes down, characters of a sentence there
+NOT_RUN: tuple[dict, str] = ({}, "it was not run.")
 UNREAD = "its answer cannot be read."
 WARNING = "This is no sandbox: each notebook runs with your rights, and can read and change what you can."
 
@@ -58,7 +59,7 @@ def grade(folder: Path, seconds: int = SECONDS, wait: float = WAIT) -> Iterator[
     stems = [next((stem for stem in known if stem in path.stem), "") for path in paths]
     names = [known.get(stem, {}) for stem in stems]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        runs = pool.map(lambda path, own: run(path, folder, own, seconds, wait), paths, names)
+        runs = pool.map(lambda path, own: run(path, folder, own, seconds, wait) if own else NOT_RUN, paths, names)
         for path, stem, own, (state, end) in zip(paths, stems, names, runs, strict=True):
             place = path.relative_to(folder)
             loose = path.stem.partition(stem)[0].strip("-_ ") if stem else path.stem

@@ -1,8 +1,7 @@
 """Run a notebook that was handed in, in this process, and write down after each cell what its answers are by then.
 
 `grade` starts this as a process of its own: NOTEBOOK, the file for what is written down, the answers' names by
-exercise, as JSON, and the limits on seconds of computing and on bytes of memory. An error in a cell stops that cell
-only.
+exercise, as JSON, the limits on seconds of computing and on bytes of memory. An error in a cell stops no other.
 """
 
 import json

@@ -2,9 +2,11 @@
 
 import csv
 import json
+import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import nbformat
 import numpy as np
@@ -13,7 +15,7 @@ import sympy as sp
 from nbformat.v4 import new_code_cell, new_notebook
 
 from lynx_common.course import exercises
-from lynx_common.course.classroom import answers, assignment, grade, key, plain
+from lynx_common.course.classroom import answers, assignment, grade, key, run, write_table
 from lynx_common.course.execute import NOTEBOOKS
 from lynx_common.course.exercises.exercise import NOT_ATTEMPTED, RIGHT
 from lynx_common.course.kernel import code_cells
@@ -40,29 +42,34 @@ def scara_for(name: str) -> str:
 HANDED_IN = {
     "right": (['exercises.student("Ada")', POSES, scara_for("ada")], (1, 1), "it ran to its end."),
     "printed": (['exercises.student("Ada")', POSES, scara_for("")], (1, 0), "it ran to its end."),
-    "wrong": (["answer_1 = [90, 0, 0, 90, 0]", "answer_3 = 'x'"], (0, 0), "it ran to its end."),
-    "empty": (["answer_1 = ..."], (0, 0), "it ran to its end."),
-    "cheat": (
-        ["exercises.check = exercises.assert_right = lambda *_: print('correct.')", "answer_1 = 1"],
+    "wrong": (
+        [
+            "exercises.check = exercises.find = lambda *_: print('correct.')",
+            "answer_1, answer_3 = [90, 0, 0, 90, 0], 'x'",
+        ],
         (0, 0),
         "it ran to its end.",
     ),
-    "failing": ([POSES, "1 / 0", "x +", scara_for("")], (1, 1), "but for ZeroDivisionError in code cell 3, and 1"),
-    "greedy": (["answer_1 = 'x' * 10**13", POSES], (1, 0), "but for MemoryError in code cell 2."),
+    "failing": (
+        [
+            *("x = 'x' * 10**13", "%matplotlib inline\n" + POSES, "1 / 0", "x +", "exit()"),
+            *("import sys\nsys.exit()", scara_for("")),
+        ],
+        (1, 1),
+        "but for MemoryError in code cell 2, and 4 more.",
+    ),
     "endless": (
         [POSES, "while True:\n    pass", scara_for("")],
         (1, 0),
         f"stopped after {SECONDS} s of computing, in code cell 3.",
     ),
     "leaving": ([POSES, "import os\nos._exit(0)", scara_for("")], (1, 0), "its process ended in code cell 3."),
-    "exit": ([POSES, "exit()", "import sys\nsys.exit()"], (1, 0), "code cell"),
     "odd": (
         ["class Odd:\n    def __array__(self, *_):\n        raise SystemError", "answer_1 = Odd()", scara_for("")],
         (0, 1),
         "it ran to its end.",
     ),
     "broken": ("{", (0, 0), "it cannot be read as a notebook."),
-    "bare": ('{"nbformat": 4}', (0, 0), "it cannot be read as a notebook."),
 }
 
 
@@ -76,7 +83,7 @@ def rows(tmp_path_factory) -> list[grade.Row]:
             cells = nbformat.writes(new_notebook(cells=[new_code_cell(cell) for cell in cells]))
         (folder / student / f"{BOOK}.ipynb").write_text(cells, encoding="utf-8")
     (folder / "right" / "random.py").write_text("1 / 0")  # her own module keeps nothing from being read
-    (folder / f"eve-{BOOK} (1).ipynb").write_text("[]")
+    (folder / f"eve-{BOOK} (1).ipynb").write_text('{"nbformat": 4}')
     (folder / "right" / "notes.ipynb").write_text("[]")
     return list(grade.grade(folder, seconds=SECONDS))
 
@@ -92,69 +99,177 @@ def test_each_notebook_costs_only_itself(rows, student):
 
 
 def test_one_that_sleeps_is_stopped_too(tmp_path):
-    cells = [new_code_cell("import time\ntime.sleep(10**6)")]
-    nbformat.write(new_notebook(cells=cells), tmp_path / f"ada-{BOOK}.ipynb")
-    (row, *_) = grade.grade(tmp_path, wait=3)  # or else it has not even begun by then
-    assert row.run in ("it was stopped after 3 s, in code cell 1.", "it cannot be read as a notebook.")
+    (row, *_) = grade.grade(hand_in(tmp_path, "import time\ntime.sleep(10**6)"), wait=2)
+    where = ("in code cell 1", "before its first cell")  # on a busy machine
+    assert row.run in [f"it was stopped after 2 s, {place}." for place in where]
+
+
+def hand_in(folder: Path, *cells: str) -> Path:
+    nbformat.write(new_notebook(cells=[new_code_cell(cell) for cell in cells]), folder / f"ada-{BOOK}.ipynb")
+    return folder
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="no such limit is kept")
+@pytest.mark.parametrize(
+    ("kilobytes", "points", "end"),
+    [
+        (2_500_000, 1, "it ran to its end, but for MemoryError in code cell 1."),
+        (100_000, 0, "before its first cell."),
+    ],
+)
+def test_where_less_memory_is_allowed_no_notebook_is_blamed(kilobytes, points, end, tmp_path, monkeypatch):
+    start, shell = grade.exit_code, ["sh", "-c", f'ulimit -v {kilobytes}; exec "$0" "$@"']
+    monkeypatch.setattr(grade, "exit_code", lambda command, *more: start([*shell, *command], *more))
+    (row, *_) = grade.grade(hand_in(tmp_path, "x = bytearray(3 * 10**9)", POSES))
+    assert row.points == points
+    assert row.run.endswith(end)
 
 
 def test_it_is_said_what_was_wrong_and_whose_numbers_were_asked_for(rows):
     said = {(row.student, row.exercise): row for row in rows}
     assert "degrees" in said["wrong", "A1.1"].said
-    assert "str was given" in said["wrong", "A1.3"].said
+    assert "text was given" in said["wrong", "A1.3"].said
     assert [said[student, "A1.3"].name for student in ("right", "printed", "failing")] == ["ada", "ada", ""]
     assert said["eve", "A1.1"].points == 0
+    assert said["eve", "A1.1"].run == "it cannot be read as a notebook."
     assert said["right", ""].said == "no notebook with exercises has this name; see 00_index."
     assert sum(row.points for row in rows) == sum(sum(points) for _, points, _ in HANDED_IN.values())
 
 
-def test_the_table_is_no_program_of_a_spreadsheet(monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr(grade, "FILE", tmp_path / "build" / "grades.csv")
-    row = grade.Row("=1+1", "@\udc80", "notebook", "A1.1", 1, RIGHT, "-")
-    monkeypatch.setattr(grade, "grade", lambda folder: iter([row]))
-    assert grade.main(tmp_path) == 0
-    with grade.FILE.open(encoding="utf-8", newline="") as file:
-        assert list(csv.reader(file))[1] == ["'=1+1", "'@\\udc80", "notebook", "A1.1", "1", RIGHT, "'-"]
-    assert grade.WARNING in capsys.readouterr().out
-    assert grade.main(tmp_path / "nowhere") == 1
-
-
 @pytest.mark.parametrize("name", CATALOGUE)
-def test_an_answer_is_judged_the_same_on_the_other_side(name):
-    exercise = CATALOGUE[name]
+@pytest.mark.parametrize("student", ["", "ada"])
+def test_an_answer_is_judged_as_the_notebook_judges_it(name, student):
+    exercise = exercises.find(name, student)
     known = [wrong for wrong, _ in exercise.misconceptions if not callable(wrong)]
-    given = [exercise.right, *exercise.also, *known, ..., None, True, 1, 2 + 1j, [[1, 2], [3, 4]]]
+    given = [
+        exercise.right,
+        *exercise.also,
+        *known,
+        ...,
+        None,
+        True,
+        1,
+        2 + 1j,
+        [[1, 2], [3, 4]],
+        "1 + 1",
+        int,
+        {},
+    ]
+    given += [np.zeros((2000, 2000)), [10**400], [...], np.nan, [np.inf] * 5, sp.Symbol("\udc80"), [1e308] * 3]
     if exercise.form.samples:
-        formulas = [*map(sp.sympify, exercise.right)]
-        bare = [entry.xreplace({s: sp.Symbol(s.name) for s in entry.free_symbols}) for entry in formulas]
-        turned = [sp.Piecewise((sp.Max(entry, entry - 1), x > 0), (entry, True)) for entry in formulas]
-        given += [sp.Matrix(formulas), bare, [sp.Mul(entry, sp.I, -sp.I, evaluate=False) for entry in bare]]
-        given += [[sp.log(sp.exp(entry)) for entry in bare], [*bare, 1], turned, [*map(sp.acos, bare)]]
-    else:
-        given += [np.array(exercise.right), np.float32(exercise.right), sp.sympify(exercise.right)]
+        given += [sp.Matrix(sp.sympify(exercise.right))]
     for answer in given:
-        there = plain.decode(json.loads(json.dumps(plain.encode(answer))))
-        assert exercise.judge(there) == exercise.judge(answer), answer
+        there = json.dumps(run.read(name, student, answer), allow_nan=False)
+        assert grade.judged(exercise, json.loads(there)) == exercise.judge(answer), answer
+        assert len(there) < 3000
 
 
-x = sp.Symbol("x")
-ODD = [np.zeros((2000, 2000)), "1 + 1", {1: 2}, sp.Function("f")(x), x.diff, sp.Integral(x, x), [10**400], [...]]
-ODD += [np.ma.masked_all(5)]
-ODD += [sum(x**n for n in range(2000)), sp.Pow(9, sp.Pow(9, 9 ** sp.Symbol("n"))), sp.zoo, int]
+# What a notebook can leave in the place of what `run` writes.
+def as_pipe(file):
+    os.mkfifo(file)
 
 
-@pytest.mark.parametrize("answer", ODD, ids=range(len(ODD)))
-def test_whatever_is_answered_goes_over_and_gets_a_sentence(answer):
-    data = json.loads(json.dumps(plain.encode(answer)))
-    assert len(json.dumps(data)) < 50_000
-    for exercise in (CATALOGUE["A1.1"], CATALOGUE["A1.3"]):
-        assert exercise.judge(plain.decode(data)).endswith(".")
+def as_link(file):
+    file.symlink_to("/dev/zero")
 
 
-@pytest.mark.parametrize("state", [{}, {"answers": 3}, {"answers": {"answer_1": {"eval": ["1"]}}}])
-def test_a_forged_state_is_no_answer(state):
-    made = list(grade.rows("eve", BOOK, {"A1.1": "answer_1"}, state, ""))
-    assert [row.points for row in made] == [0]
+def as_hole(file):
+    with file.open("wb") as opened:
+        opened.truncate(300 * 2**20)
+
+
+def as_text(text):
+    return lambda file: file.write_text(text)
+
+
+PLANTED = [Path.mkdir, as_hole, as_text(""), as_text("[" * 10**6), as_text("[3]"), as_text("{}")]
+PLANTED += [as_pipe, as_link] if hasattr(os, "O_NOFOLLOW") else []
+TRUE = {"student": "", "ended": True, "said": "ran to its end"}
+FORGED = [
+    {"student": 3},
+    {"student": "x" * 81},
+    {"said": ["it"]},
+    {"said": "x" * 301},
+    {"ended": 1},
+    {"answers": ["A1.1"]},
+]
+PLANTED += [as_text(json.dumps(TRUE | {"answers": {}} | wrong)) for wrong in FORGED]
+
+
+def rows_where(plant, folder, monkeypatch) -> list[grade.Row]:
+    """What is graded where a notebook has left what ``plant`` makes of the path that it is given."""
+
+    def exit_code(command, *_):
+        plant(next(Path(word) for word in command if word.endswith("state.json")))
+        return 0
+
+    monkeypatch.setattr(grade, "exit_code", exit_code)
+    return list(grade.grade(hand_in(folder)))
+
+
+@pytest.mark.parametrize("plant", PLANTED, ids=range(len(PLANTED)))
+def test_what_is_left_in_its_place_is_not_read(plant, tmp_path, monkeypatch):
+    left = rows_where(plant, tmp_path, monkeypatch)
+    assert {(row.run, row.name, row.points) for row in left} == {("what it left cannot be read.", "", 0)}
+
+
+def test_what_cannot_be_removed_or_copied_costs_only_itself(tmp_path, monkeypatch):
+    def too_deep(_):
+        raise RecursionError
+
+    with monkeypatch.context() as patched:
+        patched.setattr(grade.tempfile.TemporaryDirectory, "cleanup", too_deep)
+        assert rows_where(as_text("{}"), tmp_path, patched)[0].run == "what it left cannot be read."
+        patched.setattr(grade.shutil, "copy", too_deep)
+        assert rows_where(as_text("{}"), tmp_path, patched)[0].run == "its folder cannot be copied."
+
+
+CODE = "open('evaluated', 'w')"
+RIGHTS = [CATALOGUE[key].form.read(CATALOGUE[key].right).tolist() for key in ("A1.1", "A1.3")]
+NO_ANSWERS = [
+    *(CODE, [CODE] * 5, [CODE] * 3, [[CODE] * 3] * 20, {"Add": [CODE, CODE]}, {"Symbol": CODE}, {"other": CODE}),
+    *(RIGHT, [], {}, True, 10**400, [10**400] * 5, [1.0, 10**400], [1.0, [1.0]], [np.inf] * 5, [np.nan] * 5),
+    *([[np.nan] * 3] * 20, np.zeros((5, 1)).tolist(), np.zeros((3, 20)).tolist(), 1.0, ["1.5708"] * 5),
+]
+
+
+@pytest.mark.parametrize("answer", NO_ANSWERS, ids=range(len(NO_ANSWERS)))
+def test_a_forged_answer_is_none_and_no_text_is_evaluated(answer, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    state = TRUE | {"answers": dict.fromkeys(("A1.1", "A1.3", "answer_1", "answer_3"), answer)}
+    made = rows_where(as_text(json.dumps(state)), tmp_path, monkeypatch)
+    assert [(row.points, row.said) for row in made if row.exercise != "A1.2"] == 2 * [(0, grade.UNREAD)]
+    assert not Path("evaluated").exists()
+
+
+@pytest.mark.parametrize("student", ["", "ada", "\udc80"])
+def test_numbers_are_judged_for_the_name_that_is_left(student, tmp_path, monkeypatch):
+    state = TRUE | {"student": student, "answers": dict(zip(("A1.1", "A1.3"), RIGHTS, strict=True))}
+    made = rows_where(as_text(json.dumps(state)), tmp_path, monkeypatch)
+    assert [row.points for row in made] == [1, 0, int(not student)]
+    assert {row.name for row in made} == {student}
+
+
+def test_the_table_is_no_program_of_a_spreadsheet(tmp_path):
+    odd = ("=1+1", "@\udc80", "-x", "+1+cmd", "\t=1", "\r=1", "\n=1", "-1.5-1", "-1\n=1")
+    sound = ("A1.1", "-1.5", "Ada - 1", "")
+    write_table(tmp_path / "build" / "table.csv", [(*odd, *sound, 1)])
+    with (tmp_path / "build" / "table.csv").open(encoding="utf-8", newline="") as file:
+        (row,) = csv.reader(file)
+    assert row == [*(f"'{entry}".replace("\udc80", r"\udc80") for entry in odd), *sound, "1"]
+
+
+def test_grading_says_what_it_needs_and_that_it_is_no_sandbox(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(grade, "FILE", tmp_path / "build" / "grades.csv")
+    row = grade.Row("ada", "\udc80", "book", "A1.1", 1, RIGHT, "it ran.")
+    monkeypatch.setattr(grade, "grade", lambda folder: iter([row]))
+    for given in ([], [str(tmp_path / "nowhere")], ["x" * 5000]):
+        with pytest.raises(SystemExit, match=r"There is no folder .* Name one, as in: make grade DIR=submissions"):
+            grade.main(*given)
+    assert not grade.FILE.exists()
+    grade.main(str(tmp_path))
+    assert grade.FILE.read_text("utf-8").splitlines()[1] == f"ada,\\udc80,book,A1.1,1,{RIGHT},it ran."
+    assert grade.WARNING in capsys.readouterr().out
 
 
 def test_every_exercise_is_found_in_a_notebook():
@@ -196,11 +311,25 @@ def test_the_key_opens_every_exercise():
     assert {name for name, *_ in printed - hers} == own != set()
 
 
-def test_names_are_those_of_a_file_or_those_given(tmp_path):
-    (tmp_path / "names.txt").write_text("Ada Lovelace\n\nBlaise\n", encoding="utf-8")
-    for given in (str(tmp_path / "names.txt"), "Ada Lovelace, Blaise"):
-        assert key.names(given) == ["Ada Lovelace", "Blaise"]
-    assert key.names("") == [""]
+def test_the_key_is_for_the_names_in_a_file_and_nothing_else(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(key, "FILE", tmp_path / "key.csv")
+    names = tmp_path / "names.txt"
+    for text in ("", "\n", "x" * 81, "\x00", "Ada\nnul\x00"):
+        names.write_text(text, encoding="utf-8")
+        with pytest.raises(SystemExit, match=r"no text file with one name a line, .* make key NAMES=names.txt"):
+            key.main(str(names))
+    names.write_bytes(b"\xff\xfe")
+    for given in (names, tmp_path, tmp_path / "nmaes.txt", "x" * 5000, "a\x00"):
+        with pytest.raises(SystemExit, match="no text file"):
+            key.main(str(given))
+    assert not key.FILE.exists()
+    names.write_text("\ufeffAda Lovelace\n\n =Blaise\n", encoding="utf-8")
+    for given, students in (([], [""]), ([""], [""]), ([str(names)], ["Ada Lovelace", "'=Blaise"])):
+        key.main(*given)
+        with key.FILE.open(encoding="utf-8", newline="") as file:
+            table = list(csv.reader(file))[1:]
+        assert [row[0] for row in table] == [name for name in students for _ in CATALOGUE]
+    assert str(key.FILE) in capsys.readouterr().out
 
 
 def test_no_notebook_leads_to_the_key():

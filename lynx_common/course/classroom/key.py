@@ -1,10 +1,8 @@
 """The answers to all exercises, in one table: `python -m lynx_common.course.classroom.key [NAMES]`.
 
-NAMES is a file with one student's name a line, or names with commas between them. Without it the answers are those
-for the numbers that are printed.
+NAMES is a file with one student's name a line. Without it the answers are those for the numbers that are printed.
 """
 
-import csv
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,16 +11,22 @@ import numpy as np
 
 from .. import exercises
 from ..execute import ROOT
+from ..exercises import reader
 from ..exercises.exercise import Exercise
+from . import write_table
 
 FILE = ROOT / "build" / "key.csv"
 
 
-def names(given: str) -> list[str]:
-    """The names in the file, or in the text, that is given; the empty one if none is."""
-    path = Path(given)
-    entries = path.read_text(encoding="utf-8").splitlines() if path.is_file() else given.split(",")
-    return [name.strip() for name in entries if name.strip()] or [""]
+def names(file: str) -> list[str]:
+    """The names in the file; the empty one if none is given. Raises OSError or ValueError."""
+    if not file:
+        return [""]
+    lines = Path(file).read_text(encoding="utf-8-sig").splitlines()  # some editors write a mark before the first
+    students = [line.strip() for line in lines if line.strip()]
+    if not students or not all(map(reader.is_name, students)):
+        raise ValueError("no names")
+    return students
 
 
 def rows(students: list[str]) -> Iterator[tuple[str, str, str, str]]:
@@ -53,8 +57,17 @@ def _rounded(x: np.ndarray) -> np.ndarray:
     return np.round(np.round(x / unit) * unit, 15)
 
 
-if __name__ == "__main__":
-    FILE.parent.mkdir(exist_ok=True)
-    with FILE.open("w", encoding="utf-8", newline="") as file:
-        csv.writer(file).writerows([("student", "exercise", "numbers", "answer"), *rows(names(sys.argv[1]))])
+def main(file: str = "") -> None:
+    try:
+        students = names(file)
+    except (OSError, ValueError):
+        sys.exit(
+            f"'{file}' is no text file with one name a line, of at most {reader.LONGEST} characters that can be "
+            "printed. Name one, as in: make key NAMES=names.txt"
+        )
+    write_table(FILE, [("student", "exercise", "numbers", "answer"), *rows(students)])
     print(f"The key is in {FILE}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:2])

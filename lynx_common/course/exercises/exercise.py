@@ -89,6 +89,10 @@ class Exercise:
             x = self.form.read(answer)
         except UnreadableAnswerError as fault:
             return str(fault)
+        return self.judge_read(x)
+
+    def judge_read(self, x: np.ndarray) -> str:
+        """What to say about an answer as ``form.read`` gave it."""
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):  # degrees it names itself
             if self._is_right(x):
                 return RIGHT

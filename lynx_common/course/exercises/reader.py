@@ -33,12 +33,17 @@ def normalised(given: str) -> str:
     return " ".join(unicodedata.normalize("NFKC", given).casefold().split())
 
 
+def is_name(given: str) -> bool:
+    """Whether exercises are made for this name; the empty one too."""
+    return max(len(given), len(normalised(given))) <= LONGEST and normalised(given).isprintable()
+
+
 def student(given: str = "") -> str:
     """Set the reader's name for this process; the line to say about it."""
     global name
     if not isinstance(given, str):
         return f"A name is expected, as text; an object of type {type(given).__name__:.40} was given."
-    if len(given) > LONGEST or not normalised(given).isprintable():
+    if not is_name(given):
         return f"A name is expected, of at most {LONGEST} characters that can be printed."
     name = normalised(given)
     if not name:

@@ -136,7 +136,7 @@ PRINTED = {
         ),
         "claim P2.9": claim(
             "with alpha the workspace shifts",
-            "wrong: it shrinks towards the centre, where its centroid stays; as printed it turns about it",
+            "wrong: its centroid stays in the middle; it shrinks and turns about it",
             "turned by 120 deg the region is its own image, so its centroid can only be the centre",
         ),
         "claim P2.10": claim(

@@ -94,7 +94,7 @@ ALSO_RIGHT = {
         ],
         [sp.atan2(y, x) - sp.atan2(SINE, COSINE), sp.pi / 2 - sp.asin(C), d_1 - z],
     ],
-    "B1.2": [b1.ROLL + pi, sp.atan2(1, 2.5) - 2 * sp.pi / 3],
+    "B1.2": [b1.ROLL + pi, np.deg2rad(81.80), np.deg2rad(-98.20), sp.atan2(1, 2.5) - 2 * sp.pi / 3],
     "B2.1": [[0, arm.LYNX.L_1 * sp.cos(sp.pi / 3), arm.LYNX.d_1 + arm.LYNX.L_1 * sp.sin(sp.pi / 3), 1]],
     "B2.2": [[False, True, False, True, True, True], np.eye(6)[[1, 3, 4, 5]].sum(axis=0) > 0],
     "B3.3": [2.064],

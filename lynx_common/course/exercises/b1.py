@@ -80,9 +80,9 @@ EXERCISES = {
         ),
         hints=(
             "Draw the triangle of shoulder, wrist and gripper, the arm stretched: its sides are 0.4, 0.1, 0.4 m.",
-            "Section 6 gives an interval for the pitch. What are d and psi, level with the shoulder?",
+            "Section 6 gives an interval for the pitch. What are D and psi, level with the shoulder?",
         ),
-        explanation="The interval of section 6 with $d = 0.4$ m and $\\psi = 0$: $k = \\frac{1}{8}$, so the "
+        explanation="The interval of section 6 with $D = 0.4$ m and $\\psi = 0$: $k = \\frac{1}{8}$, so the "
         "pitch lies between -82.8° and 82.8°. At either end the arm is stretched.",
         code="L = arm.Geometry()\n"
         "k = (0.4**2 + L.L_3**2 - (L.L_1 + L.L_2) ** 2) / (2 * 0.4 * L.L_3)\n"
@@ -108,7 +108,7 @@ EXERCISES = {
             "theta_5 = theta_1 - beta. What is the azimuth of the item?",
         ),
         explanation="Across the belt is 30° + 90° = 120° from $x$. The item's azimuth is 21.8°. So $\\theta_5$ is "
-        "21.8° - 120° = -98.2°, or half a turn from it, which only swaps the fingers.",
+        "21.8° - 120° = -98.2°, or half a turn more, 81.8°, which only swaps the fingers.",
         code="answer_2 = np.arctan2(0.1, 0.25) - np.deg2rad(120)",
     ),
     "B1.3": Own(

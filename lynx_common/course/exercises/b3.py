@@ -100,15 +100,15 @@ EXERCISES = {
         right=KEEP,
         misconceptions=(
             (KEEP - 0.15, "this is the largest margin; the sum of radius and margin is asked for."),
-            (KEEP - APART, "this is the largest height A; the sum of radius and margin is asked for."),
+            (KEEP - APART, "this is the largest height h; the sum of radius and margin is asked for."),
             (largest(8), "this is the answer for the spline; its curvature in the middle is another."),
             (0.2, "at 0.2 m the ends are at the margin; the rule fails before."),
         ),
         hints=(
             "The middle is the nearest place while the second derivative of the squared distance is positive.",
-            "With A = rho - d_0 the condition reads pi^2 rho (rho - d_0) <= l^2. Solve it for rho.",
+            "With h = rho - d_0 the condition reads pi^2 rho (rho - d_0) <= l^2. Solve it for rho.",
         ),
-        explanation="The second derivative is $2 l^2 - 2 \\rho A \\pi^2$ with $A = \\rho - d_0$. It is zero at "
+        explanation="The second derivative is $2 l^2 - 2 \\rho h \\pi^2$ with $h = \\rho - d_0$. It is zero at "
         "$\\rho = \\frac{1}{2}\\left(d_0 + \\sqrt{d_0^2 + 4 l^2 / \\pi^2}\\right) = 0.1852$ m. Beyond, the bump "
         "comes nearest at two places beside its middle.",
         code="l, d_0 = 0.2 * np.sqrt(2), 0.1 * np.sqrt(2)\n"

@@ -30,7 +30,7 @@ PRINTED = {
         "claim B3.2": claim("the free motion and the linear motion can be done"),
         "claim B3.3": claim(
             "the distance from the obstacle to the line, compared with its radius, tells whether a route is safe",
-            "wrong: what counts is the distance from the obstacle to the whole arm, and only between the points",
+            "wrong: what counts is how near the whole arm comes to the obstacle, and only during the motion",
             "the line goes on beyond the points and rules out safe routes; and routes pass on which a link "
             "collides",
         ),

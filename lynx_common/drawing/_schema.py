@@ -20,8 +20,8 @@ RIGHT = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0])
 UP = np.array([-np.sin(ELEVATION) * np.cos(AZIMUTH), -np.sin(ELEVATION) * np.sin(AZIMUTH), np.cos(ELEVATION)])
 VIEW = np.stack([RIGHT, UP], axis=1)
 
-# Where the joint angles are written beside their joints, in points.
-ANGLE_OFFSETS = ((-32, -6), (-36, -8), (-6, -32), (-22, -30), (22, 14))
+# Where the angles of the first and last joint are written, in points from it; the others have arcs in the plane.
+ANGLE_OFFSETS = {0: (-32, -6), 4: (22, 14)}
 
 
 def dh_schema(ax: Axes) -> Axes:
@@ -35,7 +35,10 @@ def dh_schema(ax: Axes) -> Axes:
         # Joint i turns about z of the frame before it; the fifth is set a little along the gripper's axis.
         at = axis_frame[:3, 3] + (0.25 * arm.LYNX.L_3 if i == 4 else 0) * axis_frame[:3, 2]
         _cylinder(ax, at, axis_frame[:3, 2], 0.015)
-        ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
+        if i in ANGLE_OFFSETS:
+            ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
+        else:
+            _angle(ax, at, 0.075, *axis_frame[:3, :2].T, POSE[i], f"$\\theta_{i + 1}$")
     for i in (0, 1, 2, 3, 5):
         _triad(ax, T[i], 0.05, str(i))
     sides = (0.07, 0.075, 0.085, -0.055)  # of the line between the joints, clear of the frames
@@ -167,12 +170,13 @@ def _triad(ax: Axes, T: np.ndarray, length: float, index: str) -> None:
         tip = (T[:3, 3] + length * T[:3, i]) @ VIEW
         arrow = {"arrowstyle": "-|>", "color": COLOURS[axis], "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", tip, xytext=origin, arrowprops=arrow, zorder=5)
-        beyond = origin + 1.22 * (tip - origin)
-        name = ax.text(
-            beyond[0], beyond[1], f"${axis}_{index}$", color=COLOURS[axis], ha="center", va="center", zorder=6
-        )
+        along = (tip - origin) / np.linalg.norm(tip - origin)
+        size = len(index)
+        beside = 3 * size * along + (11 + 2 * size) * np.array([along[1], -along[0]])  # in points
+        style = {"color": COLOURS[axis], "ha": "center", "va": "center", "zorder": 6}
+        name = ax.annotate(f"${axis}_{index}$", tip, xytext=beside, textcoords="offset points", **style)
         name.set_path_effects(OUTLINE)
-        ax.update_datalim([origin, beyond])
+        ax.update_datalim([origin, origin + 1.22 * (tip - origin)])
 
 
 def _cylinder(ax: Axes, centre: np.ndarray, axis: np.ndarray, radius: float) -> None:

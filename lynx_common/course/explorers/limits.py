@@ -80,12 +80,14 @@ def _section_view(geometry: arm.Geometry) -> Callable[[dict[str, tuple[Region, R
                 PathPatch(Path(np.zeros((1, 2))), color=drawing.COLOURS["right"], alpha=alpha, linewidth=0)
             )
             ax.add_patch(patches[-1])
-    redraw = _over_a_background(fig, patches)
+    redraw = _over_a_background(fig, [*patches, *(ax.title for ax in axes)])
 
     def picture(regions: dict[str, tuple[Region, Region]]) -> bytes:
         shown = [region for point in POINTS for region in regions[point][::-1]]
         for patch, region in zip(patches, shown, strict=True):
             patch.set_path(drawing.region_path(region))
+        for ax, point in zip(axes, POINTS, strict=True):
+            ax.set_title(f"{point}: {1e3 * regions[point][1].volume:z.2f} litres")
         return redraw()
 
     return picture

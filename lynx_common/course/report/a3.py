@@ -17,6 +17,7 @@ r, z, pitch = TASK[1:4]
 r_wrist, h = WRIST
 x, y, D, sigma, c_3, c_2, s_2 = sp.symbols("x y D sigma c_3 c_2 s_2", real=True)
 x_off, side = sp.Symbol("x", real=True, nonzero=True), sp.Symbol("side", real=True)  # front 1, back -1
+in_front = sp.Symbol("x", positive=True)
 R_13, R_23, R_31, R_32, R_33 = sp.symbols("R_13 R_23 R_31 R_32 R_33", real=True)
 forearm, gripper = theta_2 + theta_3, theta_2 + theta_3 + theta_4
 
@@ -52,11 +53,11 @@ PRINTED = {
     "1.3, pp. 5-7": {
         "eq. 1.3": formula(
             "the azimuth of the base",
-            equation(theta_1, atan(y / x)),
-            "wrong: it has to be the azimuth of the target, atan2(y, x)",
+            equation(theta_1, atan(y / in_front)),
+            "holds, if x > 0; for x < 0 it points the other way, and at x = 0 it divides by zero",
             "the r of (1.4) is never negative, and for a target at (-0.3, 0.2) m it is -33.7 deg instead of "
             "146.3 deg",
-            right=atan2(y, x),
+            condition={x: in_front},
         ),
         "eq. 1.4": formula(
             "what the triangle of the links has to span: distance and height of the target",
@@ -184,7 +185,8 @@ PRINTED = {
     },
     "1.3.2, p. 8": {
         "Fig. 1.6": numbers(
-            "theta_1 to theta_4 (of Table 1.1) for (0.30, 0.20, 0.35) m, pitch 45 deg: 0.59, 0, 1.10, -0.32",
+            "theta_1 to theta_4 (of Table 1.1) for (0.30, 0.20, 0.35) m: 0.59, 0, 1.10, -0.32; "
+            "the pitch of 45 deg is ours, none is printed",
             [0.59, 0.00, 1.10, -0.32],
             2,
         ),

@@ -38,7 +38,7 @@ def dh_schema(ax: Axes) -> Axes:
         if i in ANGLE_OFFSETS:
             ax.annotate(f"$\\theta_{i + 1}$", at @ VIEW, xytext=ANGLE_OFFSETS[i], textcoords="offset points")
         else:
-            _angle(ax, at, 0.075, *axis_frame[:3, :2].T, POSE[i], f"$\\theta_{i + 1}$")
+            _angle(ax, at, 0.075, axis_frame[:3, 0], axis_frame[:3, 1], POSE[i], f"$\\theta_{i + 1}$")
     for i in (0, 1, 2, 3, 5):
         _triad(ax, T[i], 0.05, str(i))
     sides = (0.07, 0.075, 0.085, -0.055)  # of the line between the joints, clear of the frames
@@ -173,9 +173,8 @@ def _triad(ax: Axes, T: np.ndarray, length: float, index: str) -> None:
         along = (tip - origin) / np.linalg.norm(tip - origin)
         size = len(index)
         beside = 3 * size * along + (11 + 2 * size) * np.array([along[1], -along[0]])  # in points
-        style = {"color": COLOURS[axis], "ha": "center", "va": "center", "zorder": 6}
-        name = ax.annotate(f"${axis}_{index}$", tip, xytext=beside, textcoords="offset points", **style)
-        name.set_path_effects(OUTLINE)
+        name = ax.annotate(f"${axis}_{index}$", tip, xytext=beside, textcoords="offset points", zorder=6)
+        name.set(color=COLOURS[axis], ha="center", va="center", path_effects=OUTLINE)
         ax.update_datalim([origin, origin + 1.22 * (tip - origin)])
 
 

@@ -44,7 +44,7 @@ def _save(fig: Figure, stem: Path) -> None:
 
 
 def is_called(number: str, name: str) -> bool:
-    """Whether figure ``number`` is meant by ``name``; 1.3 means all of 1.3a to 1.3c, and fig-1.2 is 1.2."""
+    """Whether figure ``number`` is meant by ``name``; 1.3 means all of 1.3a to 1.3d, and fig-1.2 is 1.2."""
     return name.removeprefix("fig-") in (number, re.sub(r"(?<=\d)[a-h]$", "", number))
 
 

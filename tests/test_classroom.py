@@ -53,10 +53,10 @@ HANDED_IN = {
     "failing": (
         [
             *("x = 'x' * 10**13", "%matplotlib inline\n" + POSES, "1 / 0", "x +", "exit()"),
-            *("import sys\nsys.exit()", scara_for("")),
+            *("import sys\nsys.exit()", "open('big', 'w').truncate(3 * 10**8)", scara_for("")),
         ],
         (1, 1),
-        "but for MemoryError in code cell 2, and 4 more.",
+        "but for MemoryError in code cell 2, and 5 more.",
     ),
     "endless": (
         [POSES, "while True:\n    pass", scara_for("")],
@@ -132,6 +132,7 @@ def test_it_is_said_what_was_wrong_and_whose_numbers_were_asked_for(rows):
     assert [said[student, "A1.3"].name for student in ("right", "printed", "failing")] == ["ada", "ada", ""]
     assert said["eve", "A1.1"].points == 0
     assert said["eve", "A1.1"].run == "it cannot be read as a notebook."
+    assert said["right", ""].run == "it was not run."
     assert said["right", ""].said == "no notebook with exercises has this name; see 00_index."
     assert sum(row.points for row in rows) == sum(sum(points) for _, points, _ in HANDED_IN.values())
 

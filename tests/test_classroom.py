@@ -53,10 +53,10 @@ HANDED_IN = {
     "failing": (
         [
             *("x = 'x' * 10**13", "%matplotlib inline\n" + POSES, "1 / 0", "x +", "exit()"),
-            *("import sys\nsys.exit()", scara_for("")),
+            *("import sys\nsys.exit()", "open('big', 'w').truncate(3 * 10**8)", scara_for("")),
         ],
         (1, 1),
-        "but for MemoryError in code cell 2, and 4 more.",
+        "but for MemoryError in code cell 2, and 5 more.",
     ),
     "endless": (
         [POSES, "while True:\n    pass", scara_for("")],
@@ -132,6 +132,7 @@ def test_it_is_said_what_was_wrong_and_whose_numbers_were_asked_for(rows):
     assert [said[student, "A1.3"].name for student in ("right", "printed", "failing")] == ["ada", "ada", ""]
     assert said["eve", "A1.1"].points == 0
     assert said["eve", "A1.1"].run == "it cannot be read as a notebook."
+    assert said["right", ""].run == "it was not run."
     assert said["right", ""].said == "no notebook with exercises has this name; see 00_index."
     assert sum(row.points for row in rows) == sum(sum(points) for _, points, _ in HANDED_IN.values())
 
@@ -173,6 +174,11 @@ def as_link(file):
     file.symlink_to("/dev/zero")
 
 
+def as_link_to_what_would_do(file):
+    file.with_name("sound").write_text(json.dumps(TRUE | {"answers": {}}))
+    file.symlink_to("sound")
+
+
 def as_hole(file):
     with file.open("wb") as opened:
         opened.truncate(300 * 2**20)
@@ -183,10 +189,11 @@ def as_text(text):
 
 
 PLANTED = [Path.mkdir, as_hole, as_text(""), as_text("[" * 10**6), as_text("[3]"), as_text("{}")]
-PLANTED += [as_pipe, as_link] if hasattr(os, "O_NOFOLLOW") else []
+PLANTED += [as_pipe, as_link, as_link_to_what_would_do] if hasattr(os, "O_NOFOLLOW") else []
 TRUE = {"student": "", "ended": True, "said": "ran to its end"}
 FORGED = [
     {"student": 3},
+    {"student": ["x"]},
     {"student": "x" * 81},
     {"said": ["it"]},
     {"said": "x" * 301},
@@ -213,6 +220,12 @@ def test_what_is_left_in_its_place_is_not_read(plant, tmp_path, monkeypatch):
     assert {(row.run, row.name, row.points) for row in left} == {("what it left cannot be read.", "", 0)}
 
 
+def test_a_link_that_was_handed_in_is_not_followed_here(tmp_path, monkeypatch):
+    (tmp_path / f"eve-{BOOK}.ipynb").symlink_to("nowhere")
+    left = rows_where(as_text(json.dumps(TRUE | {"answers": {}})), tmp_path, monkeypatch)
+    assert {(row.student, row.run) for row in left} == {(name, "it ran to its end.") for name in ("ada", "eve")}
+
+
 def test_what_cannot_be_removed_or_copied_costs_only_itself(tmp_path, monkeypatch):
     def too_deep(_):
         raise RecursionError
@@ -229,7 +242,7 @@ RIGHTS = [CATALOGUE[key].form.read(CATALOGUE[key].right).tolist() for key in ("A
 NO_ANSWERS = [
     *(CODE, [CODE] * 5, [CODE] * 3, [[CODE] * 3] * 20, {"Add": [CODE, CODE]}, {"Symbol": CODE}, {"other": CODE}),
     *(RIGHT, [], {}, True, 10**400, [10**400] * 5, [1.0, 10**400], [1.0, [1.0]], [np.inf] * 5, [np.nan] * 5),
-    *([[np.nan] * 3] * 20, np.zeros((5, 1)).tolist(), np.zeros((3, 20)).tolist(), 1.0, ["1.5708"] * 5),
+    *([[np.nan] * 3] * 20, np.zeros((5, 1)).tolist(), np.zeros((3, 20)).tolist(), 1.0, ["1.5708"] * 5, [True] * 5),
 ]
 
 

@@ -13,7 +13,7 @@ import nbformat
 
 from ..kernel import code_cells
 
-FORMULA = re.compile(r"[=@\t\r\n]|[-+](?!\d[\d.]*\Z)")  # what a spreadsheet would compute; a number it may
+FORMULA = re.compile(r"[=@\t\r\n]|[-+](?!\d[\d.]*$)")  # what a spreadsheet would compute; a number it may
 CHECK = re.compile(r'exercises\.check\("(\w+\.\d+)", (\w+)\)')
 
 

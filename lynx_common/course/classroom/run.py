@@ -59,7 +59,8 @@ def read(exercise: str, student: str, answer: object) -> list | float | str | No
 
 def run(notebook: Path, file: Path, names: dict[str, str]) -> None:
     """Run every cell; ``file`` always holds the answers by then, and how the run would be told of."""
-    shell, failed = Shell.instance(), []
+    shell = Shell.instance()
+    failed: list[str] = []
     state: dict[str, Any] = {"student": "", "answers": {}, "ended": False}
     try:
         sources = code(notebook)

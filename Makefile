@@ -31,6 +31,7 @@ notebooks: .venv/ready  ## execute the notebooks in place, to store their output
 
 site: .venv-site/ready $(if $(ARM),.venv/ready)  ## build the course as a web page that needs no server, in build/site
 	@$(if $(ARM),$(VENV)/python -m lynx_common.course.execute copies "build/notebooks$(OWN)")
+	@rm -rf "build/site$(OWN)"
 	.venv-site/bin/python -m sphinx -q -W -E --keep-going -c site -d "build/doctrees$(OWN)" \
 	  "$(if $(ARM),build/)notebooks$(OWN)" "build/site$(OWN)"
 	@echo "Open build/site$(OWN)/index.html in a browser."

@@ -148,6 +148,14 @@ def test_each_item_is_checked_by_an_executed_cell_of_its_notebook():
         assert re.search(rf"^{re.escape(key)} (\(.+\): )?{re.escape(item.verdict)}$", printed, re.M), key
 
 
+def test_each_call_that_publishes_a_figure_is_found_by_make_figures():
+    for path in NOTEBOOKS.glob("*.ipynb"):
+        source = "\n".join(cell.source for cell in code_cells(path.stem))
+        shown = set(re.findall(r"""figures\.publish\(.*?["'](\d+\.\d+\w?|[a-z]+)["'],""", source))
+        assert shown <= set(execute.published(path)), path.stem
+        assert source.count("figures.publish(") == len(shown), path.stem
+
+
 def test_each_figure_is_published_by_its_notebook():
     for key in [key for key in report.LEDGER if key.startswith("Fig.")]:
         published = execute.published(NOTEBOOKS / f"{report.LEDGER[key].notebook}.ipynb")

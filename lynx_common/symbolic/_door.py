@@ -63,9 +63,8 @@ def numeric(expr: sp.Expr | sp.MatrixBase, *vectors: Sequence[sp.Symbol]) -> Cal
     """
     read_vectors, matrix, shape = read(expr, vectors)
     entries, angular = tuple(matrix), tuple(map(_angular, read_vectors))
-    compiled_with = cache(
-        partial(_compiled, entries, read_vectors)
-    )  # hashing the entries takes longer than the work
+    # Hashing the entries takes longer than the work.
+    compiled_with = cache(partial(_compiled, entries, read_vectors))
 
     def f(*arrays: ArrayLike) -> np.ndarray:
         if (sample := _sample(arrays, read_vectors, angular)) is not None:
